@@ -1,0 +1,92 @@
+// The one idea that carries every model of this project: a condition.
+//
+//   C(x) is a number that is zero when the cloth is content (Baraff & Witkin 1998)
+//   E   = k/2 C²                        energy                     J
+//   f_i = −∂E/∂x_i = −k C ∂C/∂x_i       force on vertex i          N
+//
+// A condition reads the vertices of its element only through a few vectors y that are linear in
+// them:
+//
+//   y_m = Σ_i weight(m, i) x_i          so that   ∂C/∂x_i = Σ_m weight(m, i) ∂C/∂y_m
+//
+// with weights known from the rest shape. A model is therefore written once, on y, and `gather` and
+// `scatter` carry it to the vertices. For a triangle the y are w_u and w_v, the columns of the
+// deformation gradient F, and weight(0, i) is the ∂w_u/∂x_i of the literature.
+#pragma once
+#include <type_traits>
+
+#include "math/types.h"
+
+// A condition on the M vectors of y from y[first] on: its value and its gradient.
+template <int M>
+struct Condition {
+  double C;
+  Vecs<M> dCdy;
+  int first = 0;
+};
+
+// Its second derivative stands apart, because explicit steps never need it: C's M × M blocks
+// ∂²C/∂y_m∂y_n. A convex condition has a positive semidefinite one, wherever y is.
+template <int M>
+struct SecondDerivative {
+  Mats<M> d2Cdy2;
+  bool convex = false;
+};
+
+// What a condition costs: E = k/2 C². Its damping is d = −kd Ċ ∂C/∂x.
+struct Term {
+  const char* name;
+  double k;       // N/m for stretch, shear and springs
+  double kd = 0;  // N·s/m
+};
+
+// The N vertices that an element reads, and the weights that make its Y vectors y of them. The
+// weights of each y add up to zero: moving the whole element is no deformation.
+template <int N, int Y>
+struct Element {
+  std::array<int, N> vertices;
+  Eigen::Matrix<double, Y, N> weight;
+};
+
+// y_m = Σ_i weight(m, i) x_i = Σ_{i>0} weight(m, i) (x_i − x_0), exact far from the origin as well.
+template <int N, int Y>
+Vecs<Y> gather(const Element<N, Y>& e, const VecX& x) {
+  const Vec3 x0 = x.segment<3>(3 * e.vertices[0]);
+  Vecs<Y> y;
+  for (int m = 0; m < Y; ++m) y[m].setZero();
+  for (int i = 1; i < N; ++i) {
+    const Vec3 edge = x.segment<3>(3 * e.vertices[i]) - x0;
+    for (int m = 0; m < Y; ++m) y[m] += e.weight(m, i) * edge;
+  }
+  return y;
+}
+
+// The chain rule:  f_i += Σ_m weight(m, i) f_m,  and f_0 is what makes the net force zero.
+template <int N, int Y>
+void scatter(const Element<N, Y>& e, const std::type_identity_t<Vecs<Y>>& f_y, VecX& f) {
+  Vec3 net = Vec3::Zero();
+  for (int i = 1; i < N; ++i) {
+    Vec3 f_i = e.weight(0, i) * f_y[0];
+    for (int m = 1; m < Y; ++m) f_i += e.weight(m, i) * f_y[m];
+    f.segment<3>(3 * e.vertices[i]) += f_i;
+    net += f_i;
+  }
+  f.segment<3>(3 * e.vertices[0]) -= net;
+}
+
+// |w|, and the direction n = ∂|w|/∂w of w. A thread that has collapsed to a point has no direction,
+// so the length is smoothed over a width ε far below any length in a scene:
+//
+//   |w| = √(w·w + ε²),   n = w / |w|,   ∂n/∂w = (I − n nᵀ) / |w|
+//
+// For |w| > 0.1 this is |w| to the last digit; at w = 0 the direction is 0, and so the force is
+// finite.
+struct Length {
+  static constexpr double epsilon = 1e-9;  // of the rest length
+  explicit Length(const Vec3& w)
+      : value(std::sqrt(w.squaredNorm() + epsilon * epsilon)), n(w / value) {}
+  Mat3 second_derivative() const { return (Mat3::Identity() - n * n.transpose()) / value; }
+
+  double value;
+  Vec3 n;
+};

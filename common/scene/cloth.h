@@ -1,0 +1,24 @@
+// The cloth as the time steps see it: masses, pins, gravity, and families of elements. Whatever a
+// scene does not name is empty here.
+#pragma once
+#include <optional>
+
+#include "math/spring.h"
+#include "math/triangle.h"
+
+struct Cloth {
+  VecX mass;                    // kg, one entry per coordinate
+  VecX inverse_mass;            // 1/kg, zero where a pin holds the vertex
+  std::vector<int> pins;        // vertices that do not move
+  std::optional<Vec3> gravity;  // m/s²
+
+  Triangles triangles;
+  Springs springs;
+
+  int vertices() const { return int(mass.size()) / 3; }
+};
+
+struct State {
+  VecX x;  // m
+  VecX v;  // m/s
+};

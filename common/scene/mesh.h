@@ -1,0 +1,45 @@
+// The cloth as geometry: faces, the rest shape of each, and where the vertices lie.
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "math/types.h"
+
+struct Mesh {
+  std::vector<Face> faces;
+  std::vector<std::array<Vec2, 3>>
+      rest;  // m, (u, v) per face corner: one vertex of a seam has several
+  VecX x;    // m, as the grid is laid or the file says
+
+  int vertices() const { return int(x.size()) / 3; }
+};
+
+enum class Diagonals { same, alternating };
+
+// A grid of cells_x × cells_y cells on size_x × size_y m. Vertex number j (cells_x + 1) + i has
+// (u, v) = (i size_x / cells_x, j size_y / cells_y) and lies at (u, 0, −v): horizontal, front up.
+//
+//   2---3     the triangles (0, 1, 2) and (3, 2, 1) of a cell; with alternating diagonals every
+//   | \ |     other cell has (0, 1, 3) and (0, 3, 2)
+//   0---1
+//
+// Throws BadInput where the machine has not enough memory for it.
+Mesh make_grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals);
+
+// An OBJ file. The rest shape of a face is its texture coordinates, in m, or where it has none the
+// flat triangle itself, its first edge along u. Throws BadInput for a file without faces, faces that
+// are not triangles, an index out of range, a number that is not finite, and what check() refuses.
+Mesh read_obj(const std::filesystem::path&);
+
+// Only where its vertices lie, its v lines: a start for a cloth with as many.
+VecX read_obj_vertices(const std::filesystem::path&);
+
+// Whether a rest triangle is more than a line, to within rounding.
+bool has_area(const std::array<Vec2, 3>& uv);
+
+// Throws BadInput, naming `source` and the place, where a face has no area at rest or names a vertex
+// twice, an edge has more than two faces, or a vertex has no face and so no mass.
+void check(const Mesh&, const std::filesystem::path& source);
+
+// 17 significant digits: what is read back is what was written.
+void write_obj(const std::filesystem::path&, const Mesh&, const VecX& x);
