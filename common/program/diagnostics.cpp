@@ -1,0 +1,68 @@
+#include "program/diagnostics.h"
+
+#include <algorithm>
+
+#include "scene/make_cloth.h"
+
+namespace {
+
+template <class Family>
+void add_energies(const Family& family, const VecX& x, TermEnergies& energies) {
+  for (const auto& element : family.elements)
+    family.conditions(
+        element, gather(element, x), [&](const Term& term, const auto& c, const auto&) {
+          auto entry = std::find_if(energies.begin(), energies.end(),
+                                    [&](const auto& e) { return e.first == term.name; });
+          if (entry == energies.end()) entry = energies.insert(energies.end(), {term.name, 0.0});
+          entry->second += 0.5 * term.k * c.C * c.C;
+        });
+}
+
+// The stretch of both threads of a face: |w_u| and |w_v|.
+double face_stretch(const Mesh& mesh, size_t face, const VecX& x) {
+  const Vecs<2> w = gather(make_triangle(mesh, face), x);
+  return std::sqrt(std::max(w[0].squaredNorm(), w[1].squaredNorm()));
+}
+
+}  // namespace
+
+TermEnergies elastic_energies(const Cloth& cloth, const VecX& x) {
+  TermEnergies energies;
+  add_energies(cloth.triangles, x, energies);
+  add_energies(cloth.springs, x, energies);
+  return energies;
+}
+
+double Energies::elastic() const {
+  double sum = 0;
+  for (const auto& [name, energy] : by_term) sum += energy;
+  return sum;
+}
+
+Energies energies(const Cloth& cloth, const State& state) {
+  Energies e;
+  e.kinetic = 0.5 * state.v.cwiseAbs2().dot(cloth.mass);
+  if (cloth.gravity)
+    for (int i = 0; i < cloth.vertices(); ++i)
+      e.gravitational -= cloth.mass[3 * i] * cloth.gravity->dot(state.x.segment<3>(3 * i));
+  e.by_term = elastic_energies(cloth, state.x);
+  return e;
+}
+
+double max_stretch(const Mesh& mesh, const VecX& x) {
+  double largest = 0;
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    const double stretch = face_stretch(mesh, f, x);
+    if (!(stretch <= largest)) largest = stretch;  // a NaN is kept
+  }
+  return largest;
+}
+
+VecX vertex_strain(const Mesh& mesh, const VecX& x) {
+  VecX strain = VecX::Zero(mesh.vertices());
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    const double face = face_stretch(mesh, f, x) - 1;
+    for (int i : mesh.faces[f]) strain[i] = std::max(strain[i], face);
+  }
+  return strain;
+}

@@ -1,0 +1,28 @@
+// What a run is judged by: energies, the largest stretch, the lowest point.
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "scene/cloth.h"
+#include "scene/mesh.h"
+
+using TermEnergies = std::vector<std::pair<const char*, double>>;  // J, in the order of the terms
+
+// E = Σ k/2 C² over all elements, term by term; only the terms that the scene has.
+TermEnergies elastic_energies(const Cloth&, const VecX& x);
+
+struct Energies {
+  double kinetic = 0;        // Σ m v²/2
+  double gravitational = 0;  // −Σ m g·x, zero at the origin
+  TermEnergies by_term;
+
+  double elastic() const;
+  double total() const { return kinetic + elastic() + gravitational; }
+};
+Energies energies(const Cloth&, const State&);
+
+// The largest |w_u| or |w_v| of all triangles: 1 at rest.
+double max_stretch(const Mesh&, const VecX& x);
+
+// max(|w_u|, |w_v|) − 1, at least 0, per vertex: the largest of its triangles. For the strain map.
+VecX vertex_strain(const Mesh&, const VecX& x);

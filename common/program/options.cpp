@@ -1,0 +1,109 @@
+#include "program/options.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "picture/renderer.h"
+
+namespace {
+
+std::string positive_number(const std::string& text) {
+  double number = 0;
+  if (CLI::detail::lexical_cast(text, number) && std::isfinite(number) && number > 0) return {};
+  return "wants a number above 0, not \"" + text + "\"";
+}
+
+std::string positive_integer(const std::string& text) {
+  int number = 0;
+  if (CLI::detail::lexical_cast(text, number) && number > 0) return {};
+  return "wants a whole number from 1 on, not \"" + text + "\"";
+}
+
+std::array<int, 2> parse_size(const std::string& text) {
+  std::array<int, 2> size{};
+  int end = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &size[0], &size[1], &end) != 2 ||
+      end != int(text.size()))
+    throw BadInput("--size: wants WIDTHxHEIGHT, such as 1280x720, not \"" + text + "\"");
+  try {
+    check_size(size[0], size[1]);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(std::string("--size: ") + error.what());
+  }
+  return size;
+}
+
+std::string one_line(std::string text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
+  for (char& c : text)
+    if (c == '\n') c = ' ';
+  return text;
+}
+
+void declare(CLI::App& app, const Program& program, Options& options, std::string& size) {
+  options.program = program.name;
+  options.scene = program.directory / "scene.toml";
+  options.out = std::filesystem::path("out") / program.name;
+
+  app.add_option("scene", options.scene, "what is simulated; the step's own scene.toml if absent")
+      ->option_text("scene.toml");
+  app.add_option("--out", options.out, "where the results go; out/" + program.name + " if absent")
+      ->option_text("DIR");
+  app.add_option("--frames", options.overrides.frames, "number of frames after the start")
+      ->check(positive_integer)
+      ->option_text("N");
+  app.add_option("--h", options.overrides.h, "time step, s")
+      ->check(positive_number)
+      ->option_text("S");
+  app.add_option("--end", options.overrides.end, "simulated time, s")
+      ->check(positive_number)
+      ->option_text("S");
+  app.add_option("--cells", options.overrides.cells, "cells of the grid along each side")
+      ->check(positive_integer)
+      ->option_text("N");
+  app.add_option("--without", options.overrides.without,
+                 "leave a table of the scene out; may repeat")
+      ->option_text("TABLE");
+  app.add_flag("!--no-pictures", options.pictures, "numbers only");
+  app.add_option("--size", size,
+                 "of every picture; 1280x720 for the still and half of it for the frames if absent")
+      ->option_text("WxH");
+  app.add_flag("--wireframe", options.wireframe, "draw the triangles");
+  app.add_flag("--caption", options.caption, "write the scene and the time on every picture");
+  app.add_option("--strain", options.strain_scale,
+                 "colour by strain; S is the end of the scale, 0.1 for 10 %")
+      ->check(positive_number)
+      ->option_text("S");
+  app.add_option("--export", "one mesh per frame as well; obj is the only format")
+      ->check(CLI::IsMember({"obj"}))
+      ->option_text("obj")
+      ->each([&](const std::string&) { options.export_obj = true; });
+  app.set_version_flag("--version", program.name + " (Large Steps " LARGE_STEPS_VERSION ")");
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const Program& program,
+                const std::function<int(const Options&)>& simulate) {
+  CLI::App app(program.name + ": " + program.idea);
+  Options options;
+  std::string size;
+  declare(app, program, options, size);
+  try {
+    app.parse(argc, argv);
+    if (!size.empty()) options.size = parse_size(size);
+    return simulate(options);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << program.name << ": " << one_line(error.what()) << " (--help lists the options)\n";
+    return 2;
+  } catch (const BadInput& error) {
+    std::cerr << error.what() << "\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << program.name << ": " << one_line(error.what()) << "\n";
+    return 1;
+  }
+}

@@ -1,0 +1,34 @@
+// The command line: the same few options in all programs.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "scene/scene.h"
+
+// A step, as its main.cpp names it.
+struct Program {
+  std::string name;                 // step01_explicit
+  std::string idea;                 // one line for --help
+  std::filesystem::path directory;  // where its scene.toml lies
+};
+
+struct Options {
+  std::string program;
+  std::filesystem::path scene;
+  std::filesystem::path out;
+  Overrides overrides;
+
+  bool pictures = true;
+  bool export_obj = false;
+  std::optional<std::array<int, 2>> size;  // of every picture
+  bool wireframe = false;
+  bool caption = false;
+  std::optional<double> strain_scale;  // the strain at the end of the colours
+};
+
+// Runs simulate(options) and returns the exit code of the program: 0 done, 1 the run broke off, 2
+// bad input or usage, 130 stopped by Ctrl-C. Errors are one line on the standard error.
+int run_program(int argc, char** argv, const Program&,
+                const std::function<int(const Options&)>& simulate);

@@ -1,0 +1,99 @@
+#include "program/pictures.h"
+
+#include <algorithm>
+
+#include "picture/film.h"
+#include "picture/overlay.h"
+#include "program/diagnostics.h"
+#include "program/stage.h"
+
+namespace {
+
+constexpr int film_tiles = 12, film_columns = 4;
+constexpr Colour ink = {70, 78, 92};
+
+Surface surface_of(const Scene& scene, double size) {
+  Surface surface;
+  surface.faces = scene.mesh.faces;
+  surface.texture = scene.mesh.rest;
+  surface.checker = size / 10;
+  surface.pins = scene.cloth.pins;
+  return surface;
+}
+
+std::string number(double value, const char* format = "%.6g") {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace
+
+Pictures::Pictures(const Options& options_, const Scene& scene_)
+    : options(options_),
+      scene(scene_),
+      stage(make_stage(scene_)),
+      renderer(surface_of(scene_, stage.size)) {}
+
+Image Pictures::draw(const VecX& x, double time, int width, int height) const {
+  Style style;
+  style.width = width;
+  style.height = height;
+  style.wireframe = options.wireframe;
+  style.strain_scale = options.strain_scale;
+  Image image =
+      renderer.draw(stage, x, style, options.strain_scale ? vertex_strain(scene.mesh, x) : VecX());
+  if (options.strain_scale) draw_legend(image, *options.strain_scale);
+  if (options.caption)
+    draw_caption(
+        image, options.program,
+        scene_name() + "  h = " + number(scene.time.h) + " s  t = " + number(time, "%.3f") + " s");
+  return image;
+}
+
+// What made a frame. Neither a date nor a machine, so that equal runs give equal bytes.
+PngText Pictures::about(double time) const {
+  return {{"Software", "Large Steps, " + options.program},
+          {"Scene", scene_name()},
+          {"TimeStep", number(scene.time.h) + " s"},
+          {"Time", number(time) + " s"}};
+}
+
+std::string Pictures::scene_name() const {
+  const std::filesystem::path directory = absolute(scene.file).parent_path().filename();
+  return (directory / scene.file.filename()).string();
+}
+
+// The film shows twelve moments evenly from the start to the end, or all frames where there are
+// fewer.
+bool Pictures::on_film(int number) const {
+  const int frames = scene.time.frames;
+  if (frames < film_tiles) return true;
+  for (int tile = 1; tile <= film_tiles; ++tile)
+    if (number == int(std::lround(double(tile) * frames / film_tiles))) return true;
+  return false;
+}
+
+void Pictures::frame(int number_, const VecX& x, double time) {
+  const auto [width, height] = options.size.value_or(std::array{640, 360});
+  Image image = draw(x, time, width, height);
+  char name[32];
+  std::snprintf(name, sizeof name, "frame_%04d.png", number_);
+  write_png(options.out / name, image, about(time));
+  if (!on_film(number_)) return;
+  if (!options.caption)
+    draw_text(image, 0.03 * width, 0.92 * height, 0.05 * height, number(time, "%.3f") + " s",
+              ink);
+  strip.push_back(std::move(image));
+}
+
+void Pictures::still(const VecX& x, double time) {
+  const auto [width, height] = options.size.value_or(std::array{1280, 720});
+  write_png(options.out / "still.png", draw(x, time, width, height), about(time));
+}
+
+void Pictures::film() {
+  if (strip.empty()) return;
+  const int columns = std::min(film_columns, int(strip.size()));
+  write_png(options.out / "film.png", film_strip(strip, columns), about(scene.time.end));
+}

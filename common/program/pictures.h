@@ -1,0 +1,26 @@
+// The pictures of a run: its frames, its still and its film strip.
+#pragma once
+#include "picture/png.h"
+#include "picture/renderer.h"
+#include "program/options.h"
+
+class Pictures {
+ public:
+  Pictures(const Options&, const Scene&);
+
+  void frame(int number, const VecX& x, double time);  // frame_0000.png, …
+  void still(const VecX& x, double time);              // still.png
+  void film();                                         // film.png
+
+ private:
+  Image draw(const VecX& x, double time, int width, int height) const;
+  PngText about(double time) const;
+  std::string scene_name() const;
+  bool on_film(int number) const;
+
+  const Options& options;
+  const Scene& scene;
+  Stage stage;
+  mutable Renderer renderer;
+  std::vector<Image> strip;
+};

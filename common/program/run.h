@@ -1,0 +1,52 @@
+// One run of a program: its directory, its log, its pictures, its progress and its end. What a step
+// teaches, the loop over frames and time steps, stays in its main.cpp.
+#pragma once
+#include <memory>
+
+#include "program/diagnostics.h"
+#include "program/options.h"
+
+// How the steps of a run went; each is a column of log.csv.
+struct Counters {
+  long iterations = 0;  // of the linear solver
+  long indefinite = 0;  // steps with pᵀAp ≤ 0 or a pivot that is not positive
+  long gained = 0;  // looked-at steps with more energy than the start, by over 1e-3 of its scale
+  long unconverged = 0;  // steps whose Newton iteration did not converge
+};
+
+struct Measures {
+  Energies energies;
+  double max_stretch;
+};
+
+class Run {
+ public:
+  // Prints what is being run. Throws BadInput if the output directory cannot be written.
+  Run(const Options&, const Scene&);
+  ~Run();
+
+  // Says the longest stable step of an explicit method, and warns if h is beyond 0.9 of it.
+  void report_critical_step(double h_crit);
+
+  // True until the step that frame k shows is done, or the user stops the run.
+  bool before_frame(int frame) const;
+
+  // After every time step: counts it, shows progress, and throws if the cloth has exploded: a
+  // position is not finite, or a thread is over 1000 times its length.
+  void check(const State&);
+
+  // Frame k: a row of log.csv, the pictures, with --export obj a mesh.
+  void record(int frame, const State&);
+
+  // Film, still, final.obj and final_velocities.csv; the last line. Returns the exit code.
+  int finish(const State&);
+
+  long steps() const;  // done so far
+  Counters counters;
+
+ private:
+  Measures look(const State&);
+
+  struct Files;
+  std::unique_ptr<Files> files;
+};
