@@ -17,19 +17,14 @@
 
 #include "math/types.h"
 
-// A condition on the M vectors of y from y[first] on: its value and its gradient.
+// A condition on the M vectors of y from y[first] on: its value and its gradient. The second
+// derivative, M × M blocks ∂²C/∂y_m∂y_n, is a function of its own, because explicit steps never need
+// it; that of a convex condition is positive semidefinite wherever y is.
 template <int M>
 struct Condition {
   double C;
   Vecs<M> dCdy;
   int first = 0;
-};
-
-// Its second derivative stands apart, because explicit steps never need it: C's M × M blocks
-// ∂²C/∂y_m∂y_n. A convex condition has a positive semidefinite one, wherever y is.
-template <int M>
-struct SecondDerivative {
-  Mats<M> d2Cdy2;
   bool convex = false;
 };
 

@@ -23,12 +23,12 @@ inline Spring make_spring(int i, int j, double rest_length, double share = 1) {
 //   C = |y| − L,   ∂C/∂y = n = y/|y|,   E = k/2 (|y| − L)²
 inline Condition<1> elongation(const Spring& s, const Vec3& y) {
   const Length length(y);
-  return {s.sqrt_share * (length.value - s.rest_length), {s.sqrt_share * length.n}};
+  return {s.sqrt_share * (length.value - s.rest_length), {s.sqrt_share * length.n}, 0, true};
 }
 
 // ∂²C/∂y² = (I − n nᵀ)/|y|
-inline SecondDerivative<1> elongation_second(const Spring& s, const Vec3& y) {
-  return {{{{s.sqrt_share * Length(y).second_derivative()}}}, true};
+inline Mats<1> elongation_second(const Spring& s, const Vec3& y) {
+  return {{{s.sqrt_share * Length(y).second_derivative()}}};
 }
 
 // The springs of a cloth.

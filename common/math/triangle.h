@@ -38,12 +38,12 @@ inline Triangle make_triangle(const Face& vertices, const Vec2& uv0, const Vec2&
 // the stiffness of the cloth in N/m and means the same on every mesh.
 inline Condition<1> stretch(const Triangle& t, const Vecs<2>& w, int m, double b = 1) {
   const Length length(w[m]);
-  return {t.sqrt_area * (length.value - b), {t.sqrt_area * length.n}, m};
+  return {t.sqrt_area * (length.value - b), {t.sqrt_area * length.n}, m, true};
 }
 
 // ∂²C/∂w² = √a (I − n nᵀ)/|w|: only turning the thread changes n, and the shorter it is the more.
-inline SecondDerivative<1> stretch_second(const Triangle& t, const Vecs<2>& w, int m) {
-  return {{{{t.sqrt_area * Length(w[m]).second_derivative()}}}, true};
+inline Mats<1> stretch_second(const Triangle& t, const Vecs<2>& w, int m) {
+  return {{{t.sqrt_area * Length(w[m]).second_derivative()}}};
 }
 
 // Shear: the two threads want to stay perpendicular.
@@ -54,9 +54,9 @@ inline Condition<2> shear(const Triangle& t, const Vecs<2>& w) {
 }
 
 // ∂²C/∂w_u∂w_v = √a I; it has the eigenvalues ±√a, so shear is not convex.
-inline SecondDerivative<2> shear_second(const Triangle& t) {
+inline Mats<2> shear_second(const Triangle& t) {
   const Mat3 O = Mat3::Zero(), I = t.sqrt_area * Mat3::Identity();
-  return {{{{O, I}, {I, O}}}};
+  return {{{O, I}, {I, O}}};
 }
 
 // The triangles of a cloth and the conditions that they carry in this scene.

@@ -14,4 +14,17 @@ using Vecs = std::array<Vec3, M>;  // M vectors of space
 template <int M>
 using Mats = std::array<std::array<Mat3, M>, M>;  // M × M blocks of a matrix on them
 
+template <int M>
+Vecs<M> zero_vectors() {
+  Vecs<M> zero;
+  zero.fill(Vec3::Zero());
+  return zero;
+}
+template <int M>
+Mats<M> zero_matrices() {
+  Mats<M> zero;
+  for (auto& row : zero) row.fill(Mat3::Zero());
+  return zero;
+}
+
 using Face = std::array<int, 3>;  // the vertices of a triangle, counter-clockwise from the front

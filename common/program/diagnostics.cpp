@@ -2,21 +2,10 @@
 
 #include <algorithm>
 
+#include "scene/energy.h"
 #include "scene/make_cloth.h"
 
 namespace {
-
-template <class Family>
-void add_energies(const Family& family, const VecX& x, TermEnergies& energies) {
-  for (const auto& element : family.elements)
-    family.conditions(
-        element, gather(element, x), [&](const Term& term, const auto& c, const auto&) {
-          auto entry = std::find_if(energies.begin(), energies.end(),
-                                    [&](const auto& e) { return e.first == term.name; });
-          if (entry == energies.end()) entry = energies.insert(energies.end(), {term.name, 0.0});
-          entry->second += 0.5 * term.k * c.C * c.C;
-        });
-}
 
 // The stretch of both threads of a face: |w_u| and |w_v|.
 double face_stretch(const Mesh& mesh, size_t face, const VecX& x) {
@@ -28,8 +17,14 @@ double face_stretch(const Mesh& mesh, size_t face, const VecX& x) {
 
 TermEnergies elastic_energies(const Cloth& cloth, const VecX& x) {
   TermEnergies energies;
-  add_energies(cloth.triangles, x, energies);
-  add_energies(cloth.springs, x, energies);
+  const auto add = [&](const Term& term, double joule) {
+    auto entry = std::find_if(energies.begin(), energies.end(),
+                              [&](const auto& e) { return e.first == term.name; });
+    if (entry == energies.end()) entry = energies.insert(energies.end(), {term.name, 0.0});
+    entry->second += joule;
+  };
+  add_elastic_energy(cloth.triangles, x, add);
+  add_elastic_energy(cloth.springs, x, add);
   return energies;
 }
 
@@ -42,9 +37,7 @@ double Energies::elastic() const {
 Energies energies(const Cloth& cloth, const State& state) {
   Energies e;
   e.kinetic = 0.5 * state.v.cwiseAbs2().dot(cloth.mass);
-  if (cloth.gravity)
-    for (int i = 0; i < cloth.vertices(); ++i)
-      e.gravitational -= cloth.mass[3 * i] * cloth.gravity->dot(state.x.segment<3>(3 * i));
+  e.gravitational = gravitational_energy(cloth, state.x);
   e.by_term = elastic_energies(cloth, state.x);
   return e;
 }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
+#include <map>
 
 #include "picture/renderer.h"
 
@@ -43,6 +44,7 @@ std::string one_line(std::string text) {
 
 void declare(CLI::App& app, const Program& program, Options& options, std::string& size) {
   options.program = program.name;
+  options.concepts = program.concepts;
   options.scene = program.directory / "scene.toml";
   options.out = std::filesystem::path("out") / program.name;
 
@@ -79,6 +81,21 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
       ->check(CLI::IsMember({"obj"}))
       ->option_text("obj")
       ->each([&](const std::string&) { options.export_obj = true; });
+  if (program.concepts.implicit) {
+    app.add_option("--jacobian", options.method.jacobian,
+                   "the matrix: definite, or as BW98 print it")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Jacobian>{
+            {"definite", Jacobian::definite}, {"bw98", Jacobian::bw98}}))
+        ->option_text("definite|bw98");
+    app.add_option("--newton", options.method.newton,
+                   "Newton iterations per step at most; 1 if absent")
+        ->check(positive_integer)
+        ->option_text("N");
+  }
+  if (program.concepts.direct)
+    app.add_option("--solver", options.method.solver, "of the linear system; ldlt if absent")
+        ->check(CLI::IsMember({"ldlt", "inverse", "cholmod"}))
+        ->option_text("ldlt|inverse|cholmod");
   app.set_version_flag("--version", program.name + " (Large Steps " LARGE_STEPS_VERSION ")");
 }
 

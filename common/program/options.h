@@ -5,13 +5,21 @@
 #include <optional>
 #include <string>
 
+#include "program/method.h"
 #include "scene/scene.h"
+
+// What a step has the concept of; each brings its options.
+struct Concepts {
+  bool implicit = false;  // --jacobian, --newton
+  bool direct = false;    // --solver
+};
 
 // A step, as its main.cpp names it.
 struct Program {
   std::string name;                 // step01_explicit
   std::string idea;                 // one line for --help
   std::filesystem::path directory;  // where its scene.toml lies
+  Concepts concepts = {};
 };
 
 struct Options {
@@ -19,6 +27,8 @@ struct Options {
   std::filesystem::path scene;
   std::filesystem::path out;
   Overrides overrides;
+  Concepts concepts;
+  Method method;
 
   bool pictures = true;
   bool export_obj = false;

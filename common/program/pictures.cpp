@@ -30,9 +30,7 @@ std::string number(double value, const char* format = "%.6g") {
 }  // namespace
 
 Pictures::Pictures(const Options& options_, const Scene& scene_)
-    : options(options_),
-      scene(scene_),
-      stage(make_stage(scene_)),
+    : options(options_), scene(scene_), stage(make_stage(scene_)),
       renderer(surface_of(scene_, stage.size)) {}
 
 Image Pictures::draw(const VecX& x, double time, int width, int height) const {
@@ -82,8 +80,7 @@ void Pictures::frame(int number_, const VecX& x, double time) {
   write_png(options.out / name, image, about(time));
   if (!on_film(number_)) return;
   if (!options.caption)
-    draw_text(image, 0.03 * width, 0.92 * height, 0.05 * height, number(time, "%.3f") + " s",
-              ink);
+    draw_text(image, 0.03 * width, 0.92 * height, 0.05 * height, number(time, "%.3f") + " s", ink);
   strip.push_back(std::move(image));
 }
 

@@ -18,7 +18,7 @@
 namespace {
 
 constexpr double exploded_stretch = 1000;  // of a thread's length
-constexpr int look_every = 10;             // steps between two looks at stretch and energy
+constexpr int explicit_looks = 10;         // explicit steps between two looks at stretch and energy
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -72,11 +72,8 @@ struct Run::Files {
   using Clock = std::chrono::steady_clock;
 
   Files(const Options& options_, const Scene& scene_)
-      : options(options_),
-        scene(scene_),
-        start(energies(scene.cloth, scene.start)),
-        scale(energy_scale(scene, start)),
-        log(options.out / "log.csv", columns(start)),
+      : options(options_), scene(scene_), start(energies(scene.cloth, scene.start)),
+        scale(energy_scale(scene, start)), log(options.out / "log.csv", columns(start)),
         progress(scene.time.steps()) {
     if (options.pictures) pictures.emplace(options, scene);
     const double moment = scene.camera.still.value_or(scene.time.end);
@@ -117,6 +114,7 @@ struct Run::Files {
   Progress progress;
   std::optional<Pictures> pictures;
   int still_frame;
+  int look_every = options.concepts.implicit ? 1 : explicit_looks;
 
   long step = 0;
   double h_crit = 0;  // s, 0 where the method has none
@@ -160,7 +158,7 @@ void Run::check(const State& state) {
   ++files->step;
   files->progress.show(files->step);
   if (!state.x.allFinite()) files->explode("a position is not finite");
-  if (files->step % look_every == 0) look(state);
+  if (files->step % files->look_every == 0) look(state);
 }
 
 // Looks at the state as a whole: has it exploded, has it gained energy?
@@ -224,6 +222,11 @@ int Run::finish(const State& state) {
   if (counters.gained > 0)
     std::printf("  worth a doubt: up to %.3g J more than at the start, %.2g of weight times size\n",
                 r.most_gained, r.most_gained / r.scale);
+  if (counters.indefinite > 0)
+    std::printf("  worth a doubt: the matrix was not positive definite in %ld steps\n",
+                counters.indefinite);
+  if (counters.unconverged > 0)
+    std::printf("  worth a doubt: Newton did not converge in %ld steps\n", counters.unconverged);
   std::printf("  see %s\n",
               (r.pictures ? r.options.out / "film.png" : r.options.out / "log.csv").c_str());
   if (!interrupted) return 0;

@@ -18,6 +18,13 @@ struct Cloth {
   int vertices() const { return int(mass.size()) / 3; }
 };
 
+// Does any term of the cloth cost energy?
+inline bool damped(const Cloth& cloth) {
+  for (const auto& term : {cloth.triangles.stretch, cloth.triangles.shear, cloth.springs.spring})
+    if (term && term->kd > 0) return true;
+  return false;
+}
+
 struct State {
   VecX x;  // m
   VecX v;  // m/s

@@ -1,0 +1,19 @@
+// PNG files: whole or not at all.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "picture/image.h"
+
+// What a picture says about itself (tEXt chunks): key, text. Never a date: the same run must write
+// the same bytes.
+using PngText = std::vector<std::pair<std::string, std::string>>;
+
+// Writes "<path>.part" and renames it, so a reader never sees half a picture. Throws
+// std::runtime_error with path and reason; then nothing is left behind.
+void write_png(const std::filesystem::path& path, const Image& image, const PngText& text = {});
+
+Image read_png(const std::filesystem::path& path);
+PngText read_png_text(const std::filesystem::path& path);

@@ -1,0 +1,13 @@
+// The choices that the implicit steps offer; a step reads those that it has the concept of.
+#pragma once
+#include <string>
+
+// Which part of (k C + kd Ċ) ∂²C/∂x² stands in the matrix: all of it, as Baraff & Witkin print it, or
+// only what keeps the matrix positive definite, max(k C, 0) ∂²C/∂x² of convex conditions.
+enum class Jacobian { definite, bw98 };
+
+struct Method {
+  Jacobian jacobian = Jacobian::definite;
+  int newton = 1;               // Newton iterations per step at most; 1 is the plain step
+  std::string solver = "ldlt";  // or "inverse", "cholmod"
+};

@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include "scene/memory.h"
+#include "scene/scene_file.h"
+
+namespace {
+
+Mesh read_grid(const TomlTable& cloth, const Vec2& size) {
+  const std::array<int, 2> cells = cloth.two_whole_numbers("cells");
+  const bool alternating =
+      cloth.has("diagonals") && cloth.one_of("diagonals", {"same", "alternating"}) == "alternating";
+  if (const std::optional<std::string> reason = too_large(cells)) cloth.refuse("cells", *reason);
+  Mesh mesh = make_grid(size, cells, alternating ? Diagonals::alternating : Diagonals::same);
+  if (!has_area(mesh.rest[0]))
+    cloth.refuse("size",
+                 "with these cells the triangles have no area; the sides of a cell must "
+                 "differ by less than a factor of 1e12");
+  return mesh;
+}
+
+Mesh read_mesh(const TomlTable& cloth) {
+  for (const char* key : {"size", "cells", "diagonals"})
+    if (cloth.has(key)) cloth.refuse(key, "a cloth with a mesh has none; take out one of the two");
+  return read_obj(cloth.existing_file("mesh"));
+}
+
+const Names pin_names = {"top left", "top right", "bottom left", "bottom right",
+                         "top",      "bottom",    "left",        "right"};
+
+// The vertices of a corner or an edge: "top" leaves i free and "left" leaves j free.
+std::vector<int> named_vertices(const std::string& name, const std::array<int, 2>& cells) {
+  const auto says = [&](const char* word) { return name.find(word) != name.npos; };
+  const auto [i0, i1] = says("left")    ? std::array{0, 0}
+                        : says("right") ? std::array{cells[0], cells[0]}
+                                        : std::array{0, cells[0]};
+  const auto [j0, j1] = says("bottom") ? std::array{0, 0}
+                        : says("top")  ? std::array{cells[1], cells[1]}
+                                       : std::array{0, cells[1]};
+  std::vector<int> vertices;
+  for (int j = j0; j <= j1; ++j)
+    for (int i = i0; i <= i1; ++i) vertices.push_back(j * (cells[0] + 1) + i);
+  return vertices;
+}
+
+// The vertices that one entry of pins names.
+std::vector<int> pinned(const TomlTable& cloth, const toml::node& pin, int vertices) {
+  const std::string numbers = "a vertex number from 0 to " + std::to_string(vertices - 1);
+  if (pin.is_integer()) {
+    const int64_t vertex = *pin.value<int64_t>();
+    if (vertex < 0 || vertex >= vertices) cloth.refuse("pins", pin, "it must be " + numbers);
+    return {int(vertex)};
+  }
+  if (!pin.is_string()) cloth.refuse("pins", pin, "a pin is a name or " + numbers);
+  const std::string name = *pin.value<std::string>();
+  if (cloth.has("mesh"))
+    cloth.refuse("pins", pin, "only a grid has named corners and edges; a mesh needs " + numbers);
+  if (std::find(pin_names.begin(), pin_names.end(), name) == pin_names.end())
+    cloth.refuse("pins", pin, valid_names(name, pin_names) + ", or " + numbers);
+  return named_vertices(name, cloth.two_whole_numbers("cells"));
+}
+
+std::vector<int> read_pins(const TomlTable& cloth, int vertices) {
+  std::vector<int> pins;
+  if (!cloth.has("pins")) return pins;
+  for (const toml::node& pin : cloth.list("pins", "a list, like [\"top left\", \"top right\"]"))
+    for (const int vertex : pinned(cloth, pin, vertices)) pins.push_back(vertex);
+  std::sort(pins.begin(), pins.end());
+  pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
+  return pins;
+}
+
+}  // namespace
+
+Geometry read_geometry(const SceneFile& scene) {
+  const TomlTable cloth = scene.table("cloth");
+  cloth.allow_only({"size", "cells", "diagonals", "mesh", "density", "pins"});
+  Geometry geometry;
+  if (cloth.has("mesh")) {
+    geometry.mesh = read_mesh(cloth);
+  } else {
+    if (!cloth.has("size"))
+      cloth.refuse_table("needs size = [1.0, 1.0] and cells = [40, 40], or mesh = \"file.obj\"");
+    geometry.grid_size = cloth.two_numbers("size", Range::positive);
+    geometry.mesh = read_grid(cloth, *geometry.grid_size);
+  }
+  geometry.pins = read_pins(cloth, geometry.mesh.vertices());
+  return geometry;
+}

@@ -1,0 +1,114 @@
+#include "scene/scene_file.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+// The tables of a scene and the first step that teaches each.
+struct KnownTable {
+  const char* name;
+  int step;
+};
+constexpr KnownTable known_tables[] = {{"cloth", 1}, {"gravity", 1}, {"stretch", 1},
+                                       {"shear", 1}, {"damping", 2}, {"bend", 5},
+                                       {"start", 1}, {"time", 1},    {"camera", 1}};
+
+constexpr const char* steps[] = {"step01_explicit", "step02_damping", "step03_implicit",
+                                 "step04_cg", "step05_bend"};
+
+const KnownTable* find_table(std::string_view name) {
+  const auto* const end = std::end(known_tables);
+  const auto* const at = std::find_if(std::begin(known_tables), end,
+                                      [&](const KnownTable& table) { return table.name == name; });
+  return at == end ? nullptr : at;
+}
+
+// Those that a step teaches, without its later ones.
+Names tables_of(int step) {
+  Names names;
+  for (const KnownTable& table : known_tables)
+    if (table.step <= step) names.push_back(table.name);
+  return names;
+}
+
+// 3 of step03_implicit.
+int step_number(const std::string& program) {
+  for (int step = 1; step <= int(std::size(steps)); ++step)
+    if (program.starts_with(std::string(steps[step - 1]).substr(0, 6))) return step;
+  throw std::invalid_argument("no step is called " + program);
+}
+
+}  // namespace
+
+SceneFile::SceneFile(const std::filesystem::path& path, const std::string& program,
+                     const Overrides& overrides)
+    : file(path), tables(read_toml(path)) {
+  take_out(overrides.without);
+  check_tables(program);
+  apply(overrides);
+}
+
+TomlTable SceneFile::table(const std::string& name) const {
+  const toml::table* table = tables[name].as_table();
+  if (!table)
+    throw BadInput(file.string() + ": the table [" + name + "] is missing; every scene needs it");
+  return {file, name, *table};
+}
+
+// A term goes with its damping.
+void SceneFile::take_out(const std::vector<std::string>& without) {
+  for (const std::string& name : without) {
+    const std::string refused = file.string() + ": --without " + name + ": ";
+    if (!find_table(name))
+      throw BadInput(
+          refused + "there is no such table; " +
+          valid_names(name, {"gravity", "stretch", "shear", "damping", "bend", "start", "camera"}));
+    if (name == "cloth" || name == "time")
+      throw BadInput(refused + "every scene needs [" + name +
+                     "]; the other tables can be left out");
+    tables.erase(name);
+    if (toml::table* damping = tables["damping"].as_table()) damping->erase(name);
+  }
+}
+
+void SceneFile::check_tables(const std::string& program) const {
+  const int step = step_number(program);
+  for (const auto& [key, value] : tables) {
+    const std::string name(key.str()), line = location(file, value);
+    const KnownTable* known = find_table(name);
+    if (!known)
+      throw BadInput(
+          line + "there is no " +
+          (value.is_table() ? "table [" + name + "]" : "key " + name + " outside of the tables") +
+          "; " + valid_names(name, tables_of(step)));
+    if (!value.is_table()) throw BadInput(line + name + " must be one table, [" + name + "]");
+    if (known->step > step)
+      throw BadInput(line + program + " does not model [" + name + "]; " + steps[known->step - 1] +
+                     " does. --without " + name + " runs the scene without it");
+  }
+}
+
+// The values of the command line replace those of the file and are checked like them.
+void SceneFile::apply(const Overrides& overrides) {
+  if (toml::table* time = tables["time"].as_table()) {
+    if (overrides.h) time->insert_or_assign("h", *overrides.h);
+    if (overrides.end) time->insert_or_assign("end", *overrides.end);
+    if (overrides.frames) time->insert_or_assign("frames", *overrides.frames);
+  }
+  if (overrides.cells) apply_cells(*overrides.cells);
+}
+
+// --cells N: N along u, and along v as many as keep the shape of the cells.
+void SceneFile::apply_cells(int cells) {
+  toml::table* cloth = tables["cloth"].as_table();
+  if (!cloth) return;
+  if (cloth->contains("mesh"))
+    throw BadInput(file.string() + ": --cells " + std::to_string(cells) +
+                   ": only a grid has cells; the cloth of this scene is a mesh");
+  const auto old = [&](size_t i) { return (*cloth)["cells"][i].value_or(int64_t(1)); };
+  const double ratio = old(0) > 0 && old(1) > 0 ? double(old(1)) / double(old(0)) : 1;
+  const double along_v = std::min(cells * ratio, double(std::numeric_limits<int>::max()));
+  const int64_t cells_v = cells < 1 ? cells : std::max(std::llround(along_v), 1LL);
+  cloth->insert_or_assign("cells", toml::array{cells, cells_v});
+}

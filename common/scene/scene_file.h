@@ -1,0 +1,33 @@
+// The parsed scene: which tables there are, what the command line changes in them, and which of them
+// a step teaches. Only the files that read a scene include this.
+#pragma once
+#include "scene/scene.h"
+#include "scene/toml_reader.h"
+
+class SceneFile {
+ public:
+  // Refuses tables that do not exist or that a later step teaches.
+  SceneFile(const std::filesystem::path& file, const std::string& program, const Overrides&);
+
+  bool has(const std::string& table) const { return tables.contains(table); }
+  TomlTable table(const std::string& name) const;  // refuses a scene without it
+
+  const std::filesystem::path file;
+
+ private:
+  void take_out(const std::vector<std::string>& without);
+  void check_tables(const std::string& program) const;
+  void apply(const Overrides&);
+  void apply_cells(int cells);
+
+  toml::table tables;
+};
+
+// The parts of a scene, each from its table.
+struct Geometry {
+  Mesh mesh;
+  std::optional<Vec2> grid_size;  // m; absent for a mesh from a file
+  std::vector<int> pins;
+};
+Geometry read_geometry(const SceneFile&);
+State read_start(const SceneFile&, const Geometry&, const Cloth&);

@@ -1,0 +1,25 @@
+// Text files that are there whole or not at all.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+// Written to "<path>.part" and renamed, so that a run that breaks off leaves no half file. Throws
+// std::runtime_error with the path and the system's reason, and then leaves no .part either.
+void write_text(const std::filesystem::path& path, std::string_view text);
+
+// Why there is no file to read at the path, "" where there is one.
+std::string no_file(const std::filesystem::path& path);
+
+// The whole file. Throws BadInput where it is missing, a directory or unreadable.
+std::string read_text(const std::filesystem::path& path);
+
+// Appends 17 significant digits: enough to tell any two doubles apart.
+void append_number(std::string& text, double number);
+
+// Takes one number from the front of `text` and the blanks before it. False, and nothing taken, where
+// there is none; "nan" and "inf" are none. Exact: reading what append_number wrote gives the same bits.
+bool take_number(std::string_view& text, double& number);
+
+// Takes one line from the front of `text`, without its end. False at the end of the text.
+bool take_line(std::string_view& text, std::string_view& line);

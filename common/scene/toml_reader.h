@@ -1,0 +1,50 @@
+// scene.toml, key by key. Every value is asked for with its type and range, and what does not fit is
+// refused in one line: `scene.toml:12: [time] h = -1.0 is not valid: it must be …`. Only the files that
+// read a scene include this.
+#pragma once
+#include <toml++/toml.h>
+#include <filesystem>
+#include <string>
+
+#include "math/types.h"
+#include "scene/names.h"
+
+enum class Range { any, not_negative, positive };
+
+// One table of the file.
+class TomlTable {
+ public:
+  TomlTable(const std::filesystem::path& file, const std::string& name, const toml::table& table)
+      : file_(file), name_(name), table_(table) {}
+
+  bool has(std::string_view key) const { return table_.contains(key); }
+  void allow_only(const Names& keys) const;
+
+  // Each refuses a table without the key. A whole number will do for a number; nan and inf will not.
+  double number(std::string_view key, Range range) const;
+  Vec2 two_numbers(std::string_view key, Range range) const;
+  Vec3 three_numbers(std::string_view key) const;
+  int whole_number(std::string_view key) const;  // from 1
+  std::array<int, 2> two_whole_numbers(std::string_view key) const;
+  std::string one_of(std::string_view key, const Names& valid) const;
+  std::filesystem::path existing_file(std::string_view key) const;  // relative to the scene's
+  const toml::array& list(std::string_view key, const std::string& of_what) const;
+
+  [[noreturn]] void refuse(std::string_view key, const std::string& must) const;
+  [[noreturn]] void refuse(std::string_view key, const toml::node& value,
+                           const std::string& must) const;
+  [[noreturn]] void refuse_table(const std::string& must) const;
+
+ private:
+  const toml::node& need(std::string_view key, const std::string& what) const;
+
+  const std::filesystem::path& file_;
+  std::string name_;
+  const toml::table& table_;
+};
+
+// The parsed file; refused where it is missing or no TOML.
+toml::table read_toml(const std::filesystem::path& file);
+
+// `scene.toml:12: ` for what stands in line 12, `scene.toml: ` for what the command line has set.
+std::string location(const std::filesystem::path& file, const toml::node& node);

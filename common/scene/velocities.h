@@ -1,0 +1,13 @@
+// Velocities as a table: the header vx,vy,vz and a row per vertex, m/s. With an OBJ file of the
+// positions it restarts a run.
+#pragma once
+#include <filesystem>
+
+#include "math/types.h"
+
+// 17 significant digits; throws std::runtime_error like write_text.
+void write_velocities(const std::filesystem::path&, const VecX& v);
+
+// Throws BadInput, naming file and line, where a row is no three numbers or the rows are not one per
+// vertex.
+VecX read_velocities(const std::filesystem::path&, int vertices);

@@ -1,0 +1,31 @@
+// Step 2, damping: what moves a thread's length costs energy.
+//
+// Read time_step.h first: everything that this step teaches stands there.
+#include "program/run.h"
+#include "program/stable_step.h"
+#include "time_step.h"
+
+int simulate(const Options& options) {
+  const Scene scene = read_scene(options.scene, options.program, options.overrides);
+  const Cloth& cloth = scene.cloth;
+  State state = scene.start;
+  step02::System system(cloth);
+
+  Run run(options, scene);
+  run.report_critical_step(critical_step(cloth, state, step02::forces, system));
+
+  for (int frame = 0; frame <= scene.time.frames; ++frame) {
+    while (run.before_frame(frame)) {
+      step02::time_step(cloth, scene.time.h, state, system);
+      run.check(state);
+    }
+    run.record(frame, state);
+  }
+  return run.finish(state);
+}
+
+int main(int argc, char** argv) {
+  return run_program(
+      argc, argv, {"step02_damping", "the rates of stretch and shear cost energy", STEP_DIRECTORY},
+      simulate);
+}

@@ -1,0 +1,67 @@
+// Step 2: damping.
+//
+//   M dv/dt = f(x, v),  dx/dt = v   the equation of motion
+//   v += h M⁻¹ f,    x += h v       symplectic Euler: the new v moves x
+#pragma once
+#include "scene/cloth.h"
+
+namespace step02 {
+
+// What a step computes; it lives from step to step, so that none allocates.
+struct System {
+  explicit System(const Cloth& cloth) : f(cloth.mass.size()) {}
+
+  VecX f;  // N
+};
+
+// 1. Forces ---------------------------------------------------------------------------------------
+
+// All that one element's conditions add up to on its vectors y.
+template <int Y>
+struct Sum {
+  Vecs<Y> f = zero_vectors<Y>();
+};
+
+// How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
+// and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
+template <int M, class Rates, int Y>
+void act(const Term& term, const Condition<M>& c, const Rates& ydot, Sum<Y>& sum) {
+  double Cdot = 0;
+  for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
+  for (int m = 0; m < M; ++m) sum.f[c.first + m] -= (term.k * c.C + term.kd * Cdot) * c.dCdy[m];
+}
+
+// One family of elements: gather y, let its conditions act there, and scatter to the vertices.
+template <class Family>
+void add_family(const Family& family, const State& state, System& system) {
+  for (const auto& element : family.elements) {
+    const Vecs<Family::Y> y = gather(element, state.x), ydot = gather(element, state.v);
+    Sum<Family::Y> sum;
+    family.conditions(element, y, [&](const Term& term, const auto& condition, const auto&) {
+      act(term, condition, ydot, sum);
+    });
+    scatter(element, sum.f, system.f);
+  }
+}
+
+inline void add_gravity(const Cloth& cloth, System& system) {
+  for (int i = 0; i < cloth.vertices(); ++i)
+    system.f.segment<3>(3 * i) += cloth.mass[3 * i] * *cloth.gravity;
+}
+
+inline void forces(const Cloth& cloth, const State& state, System& system) {
+  system.f.setZero();
+  if (cloth.gravity) add_gravity(cloth, system);
+  add_family(cloth.triangles, state, system);
+  add_family(cloth.springs, state, system);
+}
+
+// 2. Time step ------------------------------------------------------------------------------------
+
+inline void time_step(const Cloth& cloth, double h, State& state, System& system) {
+  forces(cloth, state, system);
+  state.v += h * cloth.inverse_mass.cwiseProduct(system.f);
+  state.x += h * state.v;
+}
+
+}  // namespace step02

@@ -1,0 +1,151 @@
+// Step 3: implicit.
+//
+//   M dv/dt = f(x, v),  dx/dt = v   the equation of motion
+//   (M − h D − h² K) Δv = h (f + h K v),   K = ∂f/∂x,  D = ∂f/∂v
+//   v += Δv,         x += h v       backward Euler, linearised once
+#pragma once
+#include "math/direct_solver.h"
+#include "program/method.h"
+#include "scene/energy.h"
+#include "scene/pattern.h"
+
+namespace step03 {
+
+// What a step computes; it lives from step to step, so that none allocates.
+struct System {
+  explicit System(const Cloth& cloth, const Method& method_ = {})
+      : method(method_), f(cloth.mass.size()), b(f), dv(f), v(f), Dv(f),
+        K(make_block_matrix(cloth)), A(K), slots(cloth, K),
+        solver(make_direct_solver(method.solver, A, cloth.inverse_mass)) {
+    if (damped(cloth)) D = K;
+  }
+
+  Method method;
+  VecX f, b, dv, v, Dv;  // N, N·s, m/s, m/s, N
+  BlockMatrix K, D, A;   // N/m, N·s/m, kg; D is empty without damping
+  ClothSlots slots;
+  std::unique_ptr<DirectSolver> solver;
+  State start, trial;  // of a Newton step
+  BlockMatrix D_start;
+  long indefinite = 0, unconverged = 0;  // steps: A not definite, Newton not at its end
+};
+
+// 1. Forces and their derivatives -----------------------------------------------------------------
+
+// All that one element's conditions add up to on its vectors y.
+template <int Y>
+struct Sum {
+  Vecs<Y> f = zero_vectors<Y>();
+  Mats<Y> K = zero_matrices<Y>(), D = K;
+};
+
+// How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
+// and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
+// Their derivatives:     K = −k ∂C/∂y ∂C/∂yᵀ − (k C + kd Ċ) ∂²C/∂y²,  D = −kd ∂C/∂y ∂C/∂yᵀ
+// A stays positive definite if of the second term only max(k C, 0) ∂²C/∂y² of convex C is kept.
+template <int M, class Second, class Rates, int Y>
+void act(const Term& term, const Condition<M>& c, const Second& second, Jacobian jacobian,
+         const Rates& ydot, Sum<Y>& sum) {
+  double Cdot = 0;
+  for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
+  for (int m = 0; m < M; ++m) sum.f[c.first + m] -= (term.k * c.C + term.kd * Cdot) * c.dCdy[m];
+
+  double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
+  if (jacobian == Jacobian::bw98) kept = term.k * c.C + term.kd * Cdot;
+  const Mats<M> d2Cdy2 = kept != 0 ? second() : zero_matrices<M>();
+  for (int m = 0; m < M; ++m)
+    for (int n = 0; n < M; ++n) {
+      const Mat3 ggT = c.dCdy[m] * c.dCdy[n].transpose();
+      sum.K[c.first + m][c.first + n] -= term.k * ggT + kept * d2Cdy2[m][n];
+      sum.D[c.first + m][c.first + n] -= term.kd * ggT;
+    }
+}
+
+// One family of elements: gather y, let its conditions act there, and scatter to the vertices.
+template <class Family, class Slots>
+void add_family(const Family& family, const Slots& slots, const State& state, System& system) {
+  auto slot = slots.begin();
+  for (const auto& element : family.elements) {
+    const Vecs<Family::Y> y = gather(element, state.x), ydot = gather(element, state.v);
+    Sum<Family::Y> sum;
+    family.conditions(element, y, [&](const Term& term, const auto& condition, const auto& second) {
+      act(term, condition, second, system.method.jacobian, ydot, sum);
+    });
+    scatter(element, sum.f, system.f);
+    scatter(element, sum.K, *slot, system.K);
+    if (!system.D.empty()) scatter(element, sum.D, *slot, system.D);
+    ++slot;
+  }
+}
+
+inline void add_gravity(const Cloth& cloth, System& system) {
+  for (int i = 0; i < cloth.vertices(); ++i)
+    system.f.segment<3>(3 * i) += cloth.mass[3 * i] * *cloth.gravity;
+}
+
+inline void forces(const Cloth& cloth, const State& state, System& system) {
+  system.f.setZero();
+  system.K.set_zero();
+  system.D.set_zero();
+  if (cloth.gravity) add_gravity(cloth, system);
+  add_family(cloth.triangles, system.slots.triangles, state, system);
+  add_family(cloth.springs, system.slots.springs, state, system);
+}
+
+// 2. Time step ------------------------------------------------------------------------------------
+
+// A = M − h D − h² K, and A Δv = b without the pinned vertices, whose Δv is zero.
+inline void solve(const Cloth& cloth, double h, System& system) {
+  system.A.set_diagonal(cloth.mass);
+  system.A.add(-h, system.D);
+  system.A.add(-h * h, system.K);
+  if (!system.solver->solve(system.A, system.b, system.dv)) ++system.indefinite;
+}
+
+// Φ(v) = ½ |v − v0|²_M + E(x0 + h v) − h/2 vᵀ D v: backward Euler's v, with D as at x0, minimises it.
+inline double potential(const Cloth& cloth, double h, const VecX& v, System& system) {
+  system.trial.x = system.start.x + h * v;
+  system.D.multiply(v, system.Dv);
+  return 0.5 * (v - system.start.v).cwiseAbs2().dot(cloth.mass) +
+         potential_energy(cloth, system.trial.x) - 0.5 * h * v.dot(system.Dv);
+}
+
+// Newton's method on Φ from v = 0: A is its second derivative, b = −Φ', and the first step taken
+// whole is the plain step below. A step too long is halved until Φ falls; bᵀΔv is left to gain.
+inline void newton_step(const Cloth& cloth, double h, State& state, System& system) {
+  VecX &v = system.v, &b = system.b;
+  system.start = state;
+  system.trial = {state.x, v.setZero()};  // at rest: the damping force is D v
+  bool converged = false;
+  for (int iteration = 0; iteration < system.method.newton && !converged; ++iteration) {
+    forces(cloth, system.trial, system);
+    if (iteration == 0) system.D_start = system.D;
+    system.D = system.D_start;
+    system.D.multiply(v, system.Dv);
+    b = cloth.mass.cwiseProduct(system.start.v - v) + h * (system.f + system.Dv);
+    solve(cloth, h, system);
+    const double gain = b.dot(system.dv), Phi = potential(cloth, h, v, system);
+    const double scale = std::abs(Phi) + 0.5 * system.start.v.cwiseAbs2().dot(cloth.mass);
+    double step = gain < 0 ? -1 : 1;  // downhill, whatever A is
+    while (std::abs(gain) > 1e-12 * scale && std::abs(step) > 1e-12 &&
+           potential(cloth, h, v + step * system.dv, system) > Phi - 1e-4 * step * gain)
+      step /= 2;
+    v += step * system.dv;
+    system.trial.x = system.start.x + h * v;
+    converged = std::abs(gain) <= 1e-20 * scale;
+  }
+  if (!converged) ++system.unconverged;
+  state = {system.trial.x, v};
+}
+
+inline void time_step(const Cloth& cloth, double h, State& state, System& system) {
+  if (system.method.newton > 1) return newton_step(cloth, h, state, system);
+  forces(cloth, state, system);
+  system.K.multiply(state.v, system.b);
+  system.b = h * (system.f + h * system.b);
+  solve(cloth, h, system);
+  state.v += system.dv;
+  state.x += h * state.v;
+}
+
+}  // namespace step03
