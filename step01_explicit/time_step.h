@@ -19,9 +19,7 @@ struct System {
 // All that one element's conditions add up to on its vectors y.
 template <int Y>
 struct Sum {
-  Sum() { f.fill(Vec3::Zero()); }
-
-  Vecs<Y> f;
+  Vecs<Y> f = zero_vectors<Y>();
 };
 
 // How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y

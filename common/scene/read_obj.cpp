@@ -1,8 +1,28 @@
+#include <tiny_obj_loader.h>
+
 #include "scene/bad_input.h"
+#include "scene/check_obj.h"
 #include "scene/mesh.h"
-#include "scene/obj_file.h"
+#include "scene/text_file.h"
 
 namespace {
+
+using Corner = tinyobj::index_t;  // numbers from 0; −1 where the corner has no texture coordinate
+
+tinyobj::ObjReader read(const std::filesystem::path& path) {
+  const std::string text = read_text(path);
+  check_obj(text, path);
+  tinyobj::ObjReaderConfig config;
+  config.triangulate = false;
+  tinyobj::ObjReader reader;
+  if (!reader.ParseFromString(text, "", config))
+    throw BadInput(path.string() + ": " + reader.Error().substr(0, reader.Error().find('\n')));
+  return reader;
+}
+
+VecX positions(const tinyobj::attrib_t& file) {
+  return Eigen::Map<const VecX>(file.vertices.data(), Eigen::Index(file.vertices.size()));
+}
 
 // A triangle of space, laid flat with its first edge along u.
 std::array<Vec2, 3> laid_flat(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
@@ -12,36 +32,36 @@ std::array<Vec2, 3> laid_flat(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
           Vec2(edge.dot(side) / length, edge.cross(side).norm() / length)};
 }
 
-std::array<Vec2, 3> rest_shape(const ObjFile& file, const std::array<ObjCorner, 3>& corners) {
-  const auto& [a, b, c] = corners;
-  if (a.uv) return {file.uv[size_t(*a.uv)], file.uv[size_t(*b.uv)], file.uv[size_t(*c.uv)]};
-  return laid_flat(file.positions[size_t(a.vertex)], file.positions[size_t(b.vertex)],
-                   file.positions[size_t(c.vertex)]);
-}
-
-VecX stacked(const std::vector<Vec3>& positions) {
-  VecX x(3 * Eigen::Index(positions.size()));
-  for (size_t i = 0; i < positions.size(); ++i) x.segment<3>(3 * Eigen::Index(i)) = positions[i];
-  return x;
+std::array<Vec2, 3> rest_shape(const tinyobj::attrib_t& file, const Corner* corner) {
+  const auto uv = [&](int i) -> Vec2 {
+    return Eigen::Map<const Vec2>(file.texcoords.data() + 2 * corner[i].texcoord_index);
+  };
+  const auto x = [&](int i) -> Vec3 {
+    return Eigen::Map<const Vec3>(file.vertices.data() + 3 * corner[i].vertex_index);
+  };
+  if (corner[0].texcoord_index >= 0) return {uv(0), uv(1), uv(2)};
+  return laid_flat(x(0), x(1), x(2));
 }
 
 }  // namespace
 
 Mesh read_obj(const std::filesystem::path& path) {
-  const ObjFile file = read_obj_file(path);
-  if (file.faces.empty())
-    throw BadInput(path.string() + ": no faces; a cloth needs v lines and triangles, f lines");
+  const tinyobj::ObjReader reader = read(path);
   Mesh mesh;
-  mesh.x = stacked(file.positions);
-  for (const ObjFace& face : file.faces) {
-    const auto& [a, b, c] = face.corners;
-    mesh.faces.push_back({a.vertex, b.vertex, c.vertex});
-    mesh.rest.push_back(rest_shape(file, face.corners));
-  }
+  mesh.x = positions(reader.GetAttrib());
+  for (const tinyobj::shape_t& shape : reader.GetShapes())
+    for (size_t c = 0; c < shape.mesh.indices.size(); c += 3) {
+      const Corner* corner = &shape.mesh.indices[c];
+      mesh.faces.push_back(
+          {corner[0].vertex_index, corner[1].vertex_index, corner[2].vertex_index});
+      mesh.rest.push_back(rest_shape(reader.GetAttrib(), corner));
+    }
+  if (mesh.faces.empty())
+    throw BadInput(path.string() + ": no faces; a cloth needs v lines and triangles, f lines");
   check(mesh, path);
   return mesh;
 }
 
 VecX read_obj_vertices(const std::filesystem::path& path) {
-  return stacked(read_obj_file(path).positions);
+  return positions(read(path).GetAttrib());
 }

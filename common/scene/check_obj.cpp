@@ -1,12 +1,31 @@
-#include "scene/obj_file.h"
+#include "scene/check_obj.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "scene/bad_input.h"
 #include "scene/text_file.h"
 
 namespace {
+
+struct Corner {
+  int vertex = 0;  // from 0
+  std::optional<int> uv;
+};
+
+struct FaceLine {
+  int number;  // from 1
+  std::array<Corner, 3> corners;
+};
+
+struct ObjFile {
+  size_t positions = 0, uv = 0;  // lines so far
+  std::vector<FaceLine> faces;
+};
 
 constexpr std::string_view blanks = " \t";
 
@@ -18,9 +37,8 @@ std::string_view take_word(std::string_view& line) {
 }
 
 // What may follow the numbers, a weight or a colour, is not needed.
-template <class Vec>
-bool take_numbers(std::string_view line, Vec& v) {
-  for (double& number : v)
+bool are_numbers(std::string_view line, int count) {
+  for (double number = 0; count > 0; --count)
     if (!take_number(line, number)) return false;
   return line.empty() || blanks.find(line[0]) != blanks.npos;
 }
@@ -44,20 +62,20 @@ bool take_index(std::string_view& word, size_t count, int& index) {
 }
 
 // 1, 1/2, 1//3 or 1/2/3: vertex, texture coordinate, normal. The normal is not needed.
-bool take_corner(std::string_view word, const ObjFile& file, ObjCorner& corner) {
+bool take_corner(std::string_view word, const ObjFile& file, Corner& corner) {
   int index = 0;
-  if (!take_index(word, file.positions.size(), corner.vertex)) return false;
+  if (!take_index(word, file.positions, corner.vertex)) return false;
   if (word.empty()) return true;
   if (!take_slash(word)) return false;
-  if (take_index(word, file.uv.size(), index)) {
+  if (take_index(word, file.uv, index)) {
     corner.uv = index;
     if (word.empty()) return true;
   }
   return take_slash(word) && take_index(word, 0, index) && word.empty();
 }
 
-bool take_triangle(std::string_view line, const ObjFile& file, ObjFace& face) {
-  for (ObjCorner& corner : face.corners)
+bool take_triangle(std::string_view line, const ObjFile& file, FaceLine& face) {
+  for (Corner& corner : face.corners)
     if (!take_corner(take_word(line), file, corner)) return false;
   return take_word(line).empty();
 }
@@ -66,11 +84,11 @@ bool take_triangle(std::string_view line, const ObjFile& file, ObjFace& face) {
 std::string read_line(std::string_view line, int number, ObjFile& file) {
   line = line.substr(0, line.find('#'));
   const std::string_view keyword = take_word(line);
-  if (keyword == "v" && !take_numbers(line, file.positions.emplace_back()))
-    return "v and three finite numbers, in m";
-  if (keyword == "vt" && !take_numbers(line, file.uv.emplace_back()))
-    return "vt and two finite numbers, in m";
-  if (keyword == "f" && !take_triangle(line, file, file.faces.emplace_back(ObjFace{number, {}})))
+  file.positions += keyword == "v";
+  file.uv += keyword == "vt";
+  if (keyword == "v" && !are_numbers(line, 3)) return "v and three finite numbers, in m";
+  if (keyword == "vt" && !are_numbers(line, 2)) return "vt and two finite numbers, in m";
+  if (keyword == "f" && !take_triangle(line, file, file.faces.emplace_back(FaceLine{number, {}})))
     return "a triangle: f and three corners, like f 1 2 3 or f 1/1 2/2 3/3";
   return "";
 }
@@ -84,12 +102,12 @@ std::string range(size_t count) {
 }
 
 // Why a face does not fit to the v and vt lines of the file; "" where it does.
-std::string misfit(const ObjFace& face, const ObjFile& file) {
-  for (const ObjCorner& corner : face.corners) {
-    if (!is_one_of(corner.vertex, file.positions.size()))
-      return "a vertex that does not exist; the file has " + range(file.positions.size());
-    if (corner.uv && !is_one_of(*corner.uv, file.uv.size()))
-      return "a texture coordinate that does not exist; the file has " + range(file.uv.size());
+std::string misfit(const FaceLine& face, const ObjFile& file) {
+  for (const Corner& corner : face.corners) {
+    if (!is_one_of(corner.vertex, file.positions))
+      return "a vertex that does not exist; the file has " + range(file.positions);
+    if (corner.uv && !is_one_of(*corner.uv, file.uv))
+      return "a texture coordinate that does not exist; the file has " + range(file.uv);
     if (corner.uv.has_value() != face.corners[0].uv.has_value())
       return "texture coordinates at some corners only; all three need one, or none";
   }
@@ -98,19 +116,17 @@ std::string misfit(const ObjFace& face, const ObjFile& file) {
 
 }  // namespace
 
-ObjFile read_obj_file(const std::filesystem::path& path) {
-  const std::string whole = read_text(path);
-  const auto at = [&](int line) { return path.string() + ":" + std::to_string(line) + ": "; };
+void check_obj(std::string_view text, const std::filesystem::path& source) {
+  const auto at = [&](int line) { return source.string() + ":" + std::to_string(line) + ": "; };
   ObjFile file;
-  std::string_view text = whole, line;
+  std::string_view line;
   for (int number = 1; take_line(text, line); ++number) {
     const std::string needed = read_line(line, number, file);
     if (!needed.empty())
       throw BadInput(at(number) + "\"" + std::string(line) + "\" is not " + needed);
   }
-  for (const ObjFace& face : file.faces) {
+  for (const FaceLine& face : file.faces) {
     const std::string reason = misfit(face, file);
-    if (!reason.empty()) throw BadInput(at(face.line) + "the face names " + reason);
+    if (!reason.empty()) throw BadInput(at(face.number) + "the face names " + reason);
   }
-  return file;
 }

@@ -1,0 +1,43 @@
+// The default run of each program draws the picture that stands beside it, frame.png: the one that
+// its README shows.
+#include <cstdio>
+
+#include "picture/compare.h"
+#include "picture/png.h"
+#include "steps/program_runner.h"
+
+namespace {
+
+// Pictures of one size, from left to right.
+Image beside(const std::vector<Image>& pictures) {
+  const int width = pictures[0].width, height = pictures[0].height;
+  Image all = filled_image(width * int(pictures.size()), height, {255, 255, 255});
+  for (size_t p = 0; p < pictures.size(); ++p)
+    for (int y = 0; y < height; ++y) {
+      const auto row = pictures[p].rgb.begin() + long(pixel_at(pictures[p], 0, y));
+      std::copy(row, row + 3 * width, all.rgb.begin() + long(pixel_at(all, int(p) * width, y)));
+    }
+  return all;
+}
+
+}  // namespace
+
+class GoldenFrame : public ProgramTest {};
+
+TEST_P(GoldenFrame, is_what_the_default_run_draws) {
+  const std::filesystem::path golden = GetParam().scene().parent_path() / "frame.png";
+  ASSERT_TRUE(exists(golden)) << golden << " is missing: it is still.png of the default run";
+  expect_done({"--out", "out"});
+  const Image expected = read_png(golden), actual = read_png(directory / "out/still.png");
+  ASSERT_EQ(expected.width, 1280);
+  ASSERT_EQ(expected.height, 720);
+  const Difference difference = compare(expected, actual);
+  if (verdict(difference) != Verdict::DIFFERENT) return;
+
+  const std::filesystem::path shown =
+      std::filesystem::path(testing::TempDir()) / ("golden_" + GetParam().name + ".png");
+  write_png(shown, beside({expected, actual, difference_picture(expected, actual)}));
+  FAIL() << describe(difference) << "\nexpected | actual | difference: " << shown.string();
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, GoldenFrame, testing::ValuesIn(programs()), name_of);

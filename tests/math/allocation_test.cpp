@@ -1,0 +1,79 @@
+// A time step allocates nothing. Whatever allocates here is counted: C++ through operator new,
+// Eigen through the check that it makes before each of its own allocations. So this program stands
+// alone.
+namespace {
+int allocations = 0;
+}
+#define EIGEN_RUNTIME_NO_MALLOC
+#define eigen_assert(condition) (static_cast<bool>(condition) ? void() : void(++allocations))
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "step01_explicit/time_step.h"
+
+// Not inlined: g++ would see free() meet the new of the library, and warn.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace {
+
+template <class Work>
+int allocations_in(const Work& work) {
+  const int before = allocations;
+  Eigen::internal::set_is_malloc_allowed(false);
+  work();
+  Eigen::internal::set_is_malloc_allowed(true);
+  return allocations - before;
+}
+
+// A square of two triangles and a spring, one vertex pinned.
+Cloth small_cloth() {
+  Cloth cloth;
+  cloth.mass = VecX::Ones(12);
+  cloth.inverse_mass = VecX::Ones(12);
+  cloth.inverse_mass.head<3>().setZero();
+  cloth.pins = {0};
+  cloth.gravity = Vec3(0, -9.81, 0);
+  cloth.triangles.elements = {make_triangle({0, 1, 2}, Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)),
+                              make_triangle({3, 2, 1}, Vec2(1, 1), Vec2(0, 1), Vec2(1, 0))};
+  cloth.triangles.stretch = Term{"stretch", 10};
+  cloth.triangles.shear = Term{"shear", 5};
+  cloth.springs.elements = {make_spring(0, 3, 1.5)};
+  cloth.springs.spring = Term{"spring", 10};
+  return cloth;
+}
+
+TEST(Allocation, TimeStepOfStep01AllocatesNothing) {
+  const Cloth cloth = small_cloth();
+  State state{VecX::Zero(12), VecX::Zero(12)};
+  state.x << 0, 0, 0, 1, 0, 0, 0, 0, -1, 1.1, 0, -1.2;
+  step01::System system(cloth);
+  const double height = state.x[10];
+  EXPECT_EQ(allocations_in([&] {
+              for (int i = 0; i < 100; ++i) step01::time_step(cloth, 1e-3, state, system);
+            }),
+            0);
+  EXPECT_LT(state.x[10], height) << "nothing was computed";
+}
+
+// The counter counted: both kinds of allocation are seen.
+TEST(Allocation, CounterSeesVectorsOfBothKinds) {
+  const Cloth cloth = small_cloth();
+  EXPECT_GE(allocations_in([&] { step01::System system(cloth); }), 1);
+  std::vector<double> numbers;  // outlives the count, or a compiler may leave the allocation out
+  EXPECT_GE(allocations_in([&] { numbers.resize(100); }), 1);
+  EXPECT_EQ(numbers.size(), 100u);
+}
+
+}  // namespace

@@ -1,0 +1,90 @@
+// A thread that has collapsed to a point has no direction. Nothing may become infinite there, and
+// nothing may change where the thread has a length.
+#include <gtest/gtest.h>
+
+#include "energy.h"
+#include "poses.h"
+
+namespace {
+
+Triangle unit_triangle() {
+  return make_triangle({Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)});
+}
+
+TEST(Guard, LengthIsTheNormToTheLastDigitWhereThereIsOne) {
+  Random random(11);
+  for (const double size : {0.1, 0.3, 1.0, 10.0, 1e4})
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 w = size * 1.0001 * random.direction();
+      const Length length(w);
+      EXPECT_DOUBLE_EQ(length.value, w.norm());  // within 4 units of the last place
+      EXPECT_LT((length.n - w / w.norm()).norm(), 4e-16) << "|w| = " << size;
+    }
+}
+
+TEST(Guard, AtAPointEverythingIsFinite) {
+  const Triangle t = unit_triangle();
+  const Vecs<2> w = {Vec3::Zero(), Vec3::Zero()};
+  for (const int m : {0, 1}) {
+    const Condition<1> c = stretch(t, w, m);
+    EXPECT_NEAR(c.C, -t.sqrt_area, 1e-8);  // as short as can be
+    EXPECT_EQ(c.dCdy[0], Vec3::Zero().eval()) << "a point has no direction";
+    EXPECT_TRUE(stretch_second(t, w, m)[0][0].allFinite());
+  }
+  const Spring s = make_spring(0, 1, 0.5);
+  EXPECT_NEAR(elongation(s, Vec3::Zero()).C, -0.5, 1e-8);
+  EXPECT_EQ(elongation(s, Vec3::Zero()).dCdy[0], Vec3::Zero().eval());
+  EXPECT_TRUE(elongation_second(s, Vec3::Zero())[0][0].allFinite());
+}
+
+TEST(Guard, AllVerticesInOnePointGiveFiniteEnergyAndNoForce) {
+  const Vec3 point(3, -2, 5);
+  VecX x(9);
+  x << point, point, point;
+  const Cloth cloth = one_triangle(unit_triangle(), 100, 50);
+  EXPECT_NEAR(energy(cloth, x), 100 / 2 * 0.5 * 2, 1e-6);  // k/2 a (b² + b²)
+  EXPECT_EQ(forces(cloth, x), VecX::Zero(9).eval());
+
+  const Cloth spring = one_spring(make_spring(0, 1, 0.5), 100);
+  EXPECT_NEAR(energy(spring, x.head(6)), 100 / 2 * 0.25, 1e-6);
+  EXPECT_EQ(forces(spring, x.head(6)), VecX::Zero(6).eval());
+}
+
+// However short the thread: |f_i| = k |C| |∂C/∂x_i| ≤ k √a b · √a |weight(m, i)| for each of the
+// two.
+TEST(Guard, ForceOfAShortThreadIsBounded) {
+  Random random(12);
+  const double k = 7;
+  for (double size = 1; size > 1e-320; size /= 10)
+    for (int i = 0; i < 10; ++i) {
+      const Rest rest = random_rest(random);
+      const Triangle t = make_triangle(rest);
+      const Vecs<2> w = {size * random.direction(), size * random.direction()};
+      const VecX f = forces(one_triangle(t, k, 0), positions(rest, w, Vec3::Zero()));
+      for (int vertex = 0; vertex < 3; ++vertex) {
+        const double bound = k * t.area * t.weight.col(vertex).cwiseAbs().sum();
+        EXPECT_LE(f.segment<3>(3 * vertex).norm(), bound * (1 + 1e-12)) << "|w| = " << size;
+      }
+    }
+}
+
+// Where a thread runs through a point its direction turns over. Without the guard n jumps by 2
+// there; with it n is differentiable, and its slope is nowhere above 1/ε.
+TEST(Guard, DirectionTurnsOverWithoutAJump) {
+  Random random(13);
+  const double step = Length::epsilon / 100;
+  for (int line = 0; line < 20; ++line) {
+    const Vec3 d = random.direction(), aside = random.between(0, 2) * step * random.direction();
+    Vec3 before = Length(-2000 * step * d + aside).n;
+    EXPECT_LT((before + d).norm(), 0.1);
+    for (int i = -1999; i <= 2000; ++i) {
+      const Vec3 n = Length(i * step * d + aside).n;
+      EXPECT_LE((n - before).norm(), step / Length::epsilon * (1 + 1e-9)) << "step " << i;
+      EXPECT_LT(n.norm(), 1);
+      before = n;
+    }
+    EXPECT_LT((before - d).norm(), 0.1);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,74 @@
+// A cloth that nothing holds: it falls as a stone does, and what it keeps while it spins.
+#include <gtest/gtest.h>
+
+#include "reference.h"
+#include "scenes.h"
+#include "step01_explicit/time_step.h"
+
+namespace {
+
+// Symplectic Euler from rest: v_n = −g n h, and so y_N = −g h² (1 + 2 + … + N). Whatever is missing
+// from that is an internal force that a flat sheet does not have. It is soft, so that 0.01 s is below
+// its critical step, 0.016 s, and rounding does not grow.
+TEST(FreeFall, OfAFlatSheetIsTheSumOfTheSteps) {
+  TestScene scene = sheet(5, Held::free, 10, 5, Gravity::on);
+  step01::System system(scene.cloth);
+  const double h = 0.01;
+  const int N = 100;
+  const State end =
+      simulate(stepper(scene.cloth, step01::time_step, system), scene.start, N * h, N);
+  const double y = -g * h * h * N * (N + 1) / 2;  // −4.95405 m
+  for (int i = 0; i < scene.cloth.vertices(); ++i) {
+    const Vec3 exact = scene.start.x.segment<3>(3 * i) + Vec3(0, y, 0);
+    EXPECT_LT((end.x.segment<3>(3 * i) - exact).norm(), 1e-12 * std::abs(y)) << "vertex " << i;
+  }
+}
+
+struct Momenta {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+  double linear_scale = 0, angular_scale = 0;  // Σ m |v| and Σ m |x × v|
+};
+
+Momenta momenta(const Cloth& cloth, const State& state) {
+  Momenta sum;
+  for (int i = 0; i < cloth.vertices(); ++i) {
+    const Vec3 x = state.x.segment<3>(3 * i), mv = cloth.mass[3 * i] * state.v.segment<3>(3 * i);
+    sum.linear += mv;
+    sum.angular += x.cross(mv);
+    sum.linear_scale += mv.norm();
+    sum.angular_scale += x.cross(mv).norm();
+  }
+  return sum;
+}
+
+// A square metre, stretched by its own spin of 6 rad/s about an oblique axis, while it drifts.
+TestScene spinning_sheet() {
+  TestScene scene = sheet(5, Held::free, 100, 50, Gravity::off);
+  const Vec3 spin = 6 * Vec3(1, 4, 2).normalized(), centre(0.5, 0, -0.5), drift(0.3, -0.2, 0.5);
+  for (int i = 0; i < scene.cloth.vertices(); ++i)
+    scene.start.v.segment<3>(3 * i) =
+        drift + spin.cross(Vec3(scene.start.x.segment<3>(3 * i) - centre));
+  scene.end = 0.3;
+  return scene;
+}
+
+// Forces in pairs keep Σ m v. That the torques cancel keeps Σ m x × v as well: v_{n+1} moves x along
+// itself, and v × v = 0. Other methods, backward Euler among them, lose angular momentum.
+TEST(FreeSpin, KeepsLinearAndAngularMomentum) {
+  const TestScene scene = spinning_sheet();
+  step01::System system(scene.cloth);
+  const Stepper step = stepper(scene.cloth, step01::time_step, system);
+  const Momenta before = momenta(scene.cloth, scene.start);
+  State state = scene.start;
+  for (int n = 1; n <= 150; ++n) {
+    step(scene.end / 150, state);
+    const Momenta now = momenta(scene.cloth, state);
+    ASSERT_LT((now.linear - before.linear).norm(), 1e-12 * before.linear_scale) << "step " << n;
+    ASSERT_LT((now.angular - before.angular).norm(), 1e-12 * before.angular_scale) << "step " << n;
+  }
+  // It did stretch, or there was nothing to keep.
+  step01::forces(scene.cloth, state, system);
+  EXPECT_GT(system.f.cwiseAbs().maxCoeff(), 0.1);
+}
+
+}  // namespace

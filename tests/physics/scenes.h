@@ -1,0 +1,140 @@
+// The scenes that every step is judged on: small cloths whose motion is known, or smooth enough to be
+// known to many digits by a finer computation. Damping is set afterwards, in cloth.triangles.
+#pragma once
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "scene/make_cloth.h"
+
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double g = 9.81;       // m/s²
+inline constexpr double density = 0.2;  // kg/m²
+
+struct TestScene {
+  Mesh mesh;
+  Cloth cloth;
+  State start;
+  double end = 0;  // s
+};
+
+enum class Gravity { off, on };
+
+inline Model model(double k_stretch, double k_shear, Gravity gravity) {
+  Model m;
+  m.density = density;
+  if (k_stretch > 0) m.stretch = Term{"stretch", k_stretch};
+  if (k_shear > 0) m.shear = Term{"shear", k_shear};
+  if (gravity == Gravity::on) m.gravity = Vec3(0, -g, 0);
+  return m;
+}
+
+// The vertices for whose (u, v) `hold` is true.
+inline std::vector<int> where(const Mesh& grid, const std::function<bool(double, double)>& hold) {
+  std::vector<int> found;
+  for (int i = 0; i < grid.vertices(); ++i)
+    if (hold(grid.x[3 * i], -grid.x[3 * i + 2])) found.push_back(i);
+  return found;
+}
+
+// A vector per vertex from its (u, v).
+inline VecX field(const Mesh& grid, const std::function<Vec3(double, double)>& at) {
+  VecX all(grid.x.size());
+  for (int i = 0; i < grid.vertices(); ++i)
+    all.segment<3>(3 * i) = at(grid.x[3 * i], -grid.x[3 * i + 2]);
+  return all;
+}
+
+inline TestScene at_rest(const Mesh& mesh, const Model& model) {
+  return {mesh, make_cloth(mesh, model), {mesh.x, VecX::Zero(mesh.x.size())}, 0};
+}
+
+// A flat, horizontal, square metre, held by the two corners at v = 1 or by nothing.
+enum class Held { free, by_two_corners };
+
+inline TestScene sheet(int cells, Held held, double k, double k_shear, Gravity gravity) {
+  const Mesh mesh = make_grid({1, 1}, {cells, cells}, Diagonals::same);
+  Model m = model(k, k_shear, gravity);
+  if (held == Held::by_two_corners) m.pins = {cells * (cells + 1), cells * (cells + 1) + cells};
+  return at_rest(mesh, m);
+}
+
+// One triangle that hangs by its two upper vertices, so that only vertex 2 moves, 1 m from the hinge;
+// it starts at rest, `angle` from straight down. The thread along v runs from the middle of the hinge
+// to vertex 2: a spring of stiffness k a/(1 m)², whose length is the length of the pendulum.
+inline TestScene pendulum(double angle, double k, double k_shear) {
+  Mesh mesh;
+  mesh.faces = {{0, 1, 2}};
+  mesh.rest = {{Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1)}};
+  mesh.x.resize(9);
+  mesh.x << 0, 0, 0, 1, 0, 0, 0.5, -std::cos(angle), std::sin(angle);
+  Model m = model(k, k_shear, Gravity::on);
+  m.pins = {0, 1};
+  return at_rest(mesh, m);
+}
+
+// A strip 1 m long in the plane z = 0, unstretched, held by its top row, v = 1, at y = 0.
+inline TestScene strip(double width, const std::array<int, 2>& cells, double k, double k_shear,
+                       Gravity gravity) {
+  const Mesh mesh = make_grid({width, 1}, cells, Diagonals::same);
+  Model m = model(k, k_shear, gravity);
+  m.pins = where(mesh, [](double, double v) { return v == 1; });
+  TestScene scene = at_rest(mesh, m);
+  scene.start.x = field(mesh, [](double u, double v) { return Vec3(u, v - 1, 0); });
+  return scene;
+}
+
+// How far below the top a point s of a hanging cloth of length L comes to rest. The thread at s bears
+// the weight below it and stretch is linear, at any strain:
+//   ρ g (L − s) = k (λ − 1),   λ = dy/ds      so   y = s + ρ g (L s − s²/2)/k,   y(L) = L + ρ g L²/2k
+inline double hanging_depth(double s, double L, double k) {
+  return s + density * g * (L * s - s * s / 2) / k;
+}
+
+// The scenes in which the order of convergence is measured. In each, neighbouring starts stay
+// neighbours until `end`, so that an error is the method's.
+
+// Swings from the horizontal.
+inline TestScene swinging_triangle() {
+  TestScene scene = pendulum(pi / 2, 200, 100);
+  scene.end = 0.5;
+  return scene;
+}
+
+// Rings lengthwise, with its first mode.
+inline TestScene ringing_strip() {
+  TestScene scene = strip(0.25, {2, 8}, 100, 50, Gravity::off);
+  for (int i = 0; i < scene.cloth.vertices(); ++i)
+    scene.start.x[3 * i + 1] += 0.05 * std::sin(pi / 2 * scene.start.x[3 * i + 1]);
+  scene.end = 0.2;
+  return scene;
+}
+
+// Held by all edges, stretched by 5 %, and thrown up in the middle. The cleanest of the four.
+inline TestScene trampoline() {
+  const Mesh mesh = make_grid({1, 1}, {6, 6}, Diagonals::same);
+  Model m = model(100, 50, Gravity::on);
+  m.pins = where(mesh, [](double u, double v) { return u == 0 || u == 1 || v == 0 || v == 1; });
+  TestScene scene = at_rest(mesh, m);
+  scene.start.x *= 1.05;
+  scene.start.v = field(
+      mesh, [](double u, double v) { return Vec3(0, 2 * std::sin(pi * u) * std::sin(pi * v), 0); });
+  for (const int pin : m.pins) scene.start.v.segment<3>(3 * pin).setZero();  // sin π is not 0
+  scene.end = 0.25;
+  return scene;
+}
+
+// Held by its top row, stretched by its own weight, and pulled 25 degrees aside.
+inline TestScene curtain() {
+  const Mesh mesh = make_grid({1, 1}, {6, 6}, Diagonals::same);
+  const double k = 100, angle = 25 * pi / 180;
+  Model m = model(k, 50, Gravity::on);
+  m.pins = where(mesh, [](double, double v) { return v == 1; });
+  TestScene scene = at_rest(mesh, m);
+  scene.start.x = field(mesh, [&](double u, double v) {
+    const double depth = hanging_depth(1 - v, 1, k);
+    return Vec3(u, -depth * std::cos(angle), depth * std::sin(angle));
+  });
+  scene.end = 0.3;
+  return scene;
+}

@@ -1,0 +1,240 @@
+// Everything that a scene is refused for: one line with the file, the line, and what would be valid.
+#include <algorithm>
+#include <limits>
+
+#include "steps/scene_files.h"
+
+using SceneRefusals = SceneFiles;
+
+// 8 lines come before what is added.
+const std::string scene = cloth_and_time + "\n";
+
+TEST_F(SceneRefusals, a_missing_file_is_named) {
+  expect_says(message([&] { read_scene(directory / "none.toml", "step01"); }),
+              {"none.toml: there is no such file"});
+}
+
+TEST_F(SceneRefusals, a_directory_is_no_scene) {
+  std::filesystem::create_directory(directory / "d");
+  expect_says(message([&] { read_scene(directory / "d", "step01"); }),
+              {"d: ", "directory", "file"});
+}
+
+TEST_F(SceneRefusals, malformed_toml_is_one_line_with_its_line_number) {
+  expect_says(refusal("[cloth]\nsize = [1.0,\n= 3\n"), {"scene.toml:3: "});
+  expect_says(refusal(scene + "[time]\n"), {"scene.toml:9: ", "time"});
+  expect_says(refusal(with_line(6, "h = ")), {"scene.toml:6: "});
+}
+
+TEST_F(SceneRefusals, a_table_of_a_later_step_is_named_with_its_step_and_the_way_round_it) {
+  EXPECT_EQ(refusal(scene + "[damping]\nstretch = 1", "step01_explicit"),
+            "scene.toml:9: step01_explicit does not model [damping]; step02_damping does. "
+            "--without damping runs the scene without it");
+  EXPECT_EQ(refusal(scene + "[bend]\nk = 1", "step04_cg"),
+            "scene.toml:9: step04_cg does not model [bend]; step05_bend does. "
+            "--without bend runs the scene without it");
+}
+
+TEST_F(SceneRefusals, an_unknown_table_is_named_with_the_valid_ones_and_the_nearest) {
+  expect_says(
+      refusal(scene + "[strech]\nk = 1"),
+      {"scene.toml:9: ", "[strech]", "did you mean \"stretch\"?", "cloth, gravity, stretch"});
+  const std::string far = refusal(scene + "[wind]\nk = 1", "step01");
+  expect_says(far, {"scene.toml:9: ", "[wind]", "Valid are cloth"});
+  EXPECT_EQ(far.find("did you mean"), far.npos);
+  EXPECT_EQ(far.find("damping"), far.npos) << "step01 does not teach it";
+}
+
+TEST_F(SceneRefusals, an_unknown_key_is_named_with_the_valid_ones_and_the_nearest) {
+  expect_says(refusal(with_line(3, "cell = [2, 2]")),
+              {"scene.toml:3: ", "[cloth] has no key cell", "did you mean \"cells\"?", "density"});
+  for (const char* table : {"gravity", "stretch", "shear", "damping", "start", "camera"})
+    expect_says(refusal(scene + "[" + table + "]\nzzzzz = 1"),
+                {"scene.toml:10: ", std::string("[") + table + "] has no key zzzzz", "Valid are "});
+  expect_says(refusal(scene + "dt = 1"),
+              {"scene.toml:9: ", "[time] has no key dt", "h, end, frames"});
+}
+
+TEST_F(SceneRefusals, a_key_outside_of_the_tables_and_a_table_that_is_none_are_refused) {
+  expect_says(refusal("h = 1\n" + scene), {"scene.toml:1: ", "key h outside", "Valid are cloth"});
+  expect_says(refusal("stretch = 1\n" + scene), {"scene.toml:1: ", "one table, [stretch]"});
+  expect_says(refusal(scene + "[[shear]]\nk = 1"), {"scene.toml:9: ", "one table, [shear]"});
+}
+
+TEST_F(SceneRefusals, cloth_and_time_are_required) {
+  expect_says(refusal("[time]\nh = 1\nend = 1"), {"scene.toml: ", "[cloth] is missing"});
+  expect_says(refusal("[cloth]\nsize = [1, 1]"), {"scene.toml: ", "[time] is missing"});
+}
+
+TEST_F(SceneRefusals, a_missing_key_is_named_with_what_it_would_be) {
+  expect_says(refusal(with_line(2, "")), {"scene.toml:1: ", "[cloth] needs size", "mesh"});
+  expect_says(refusal(with_line(3, "")), {"scene.toml:1: ", "needs cells = two whole numbers"});
+  expect_says(refusal(with_line(4, "")),
+              {"scene.toml:1: ", "needs density = a number greater than 0"});
+  expect_says(refusal(with_line(6, "")), {"scene.toml:5: ", "[time] needs h = a number greater"});
+  expect_says(refusal(with_line(7, "")), {"scene.toml:5: ", "[time] needs end = a number greater"});
+  expect_says(refusal(scene + "[gravity]"),
+              {"scene.toml:9: ", "needs g = a number not less than 0"});
+  expect_says(refusal(scene + "[stretch]"),
+              {"scene.toml:9: ", "needs k = a number not less than 0"});
+}
+
+struct BadLine {
+  int line;
+  std::string text, valid;
+};
+
+TEST_F(SceneRefusals, every_value_out_of_range_or_of_another_type_is_shown_with_what_is_valid) {
+  const BadLine bad_lines[] = {
+      {2, "size = [0, 1]", "two numbers greater than 0"},
+      {2, "size = [1, nan]", "two numbers greater than 0"},
+      {2, "size = [1, 1, 1]", "two numbers greater than 0"},
+      {2, "size = 1", "two numbers greater than 0"},
+      {2, "size = [\"a\", 1]", "two numbers greater than 0"},
+      {2, "size = [1e-14, 1]", "no area"},
+      {3, "cells = [0, 1]", "two whole numbers from 1"},
+      {3, "cells = [2.0, 2.0]", "two whole numbers from 1"},
+      {3, "cells = [2147483648, 1]", "two whole numbers from 1 to 2147483647"},
+      {4, "density = 0", "a number greater than 0"},
+      {4, "density = -1", "a number greater than 0"},
+      {4, "density = inf", "a number greater than 0"},
+      {4, "density = \"heavy\"", "a number greater than 0"},
+      {4, "density = 1\ndiagonals = \"altern\"", "Valid are same, alternating"},
+      {4, "density = 1\ndiagonals = 3", "Valid are same, alternating"},
+      {6, "h = 0", "a number greater than 0"},
+      {6, "h = -0.1", "a number greater than 0"},
+      {6, "h = nan", "a number greater than 0"},
+      {6, "h = true", "a number greater than 0"},
+      {6, "h = 1e-10", "1e9 steps; take a larger h or a smaller end"},
+      {7, "end = 0", "a number greater than 0"},
+      {7, "end = inf", "a number greater than 0"},
+      {7, "end = 1\nframes = 0", "a whole number from 1"},
+      {7, "end = 1\nframes = 12.0", "a whole number from 1"},
+      {8, "[gravity]\ng = -9.81", "a number not less than 0"},
+      {8, "[gravity]\ng = [0, 0, 1]", "a number not less than 0"},
+      {8, "[stretch]\nk = -1", "a number not less than 0"},
+      {8, "[stretch]\nk = inf", "a number not less than 0"},
+      {8, "[shear]\nk = -1", "a number not less than 0"},
+      {8, "[stretch]\nk = 1\n[damping]\nstretch = -1", "a number not less than 0"},
+      {8, "[shear]\nk = 1\n[damping]\nshear = nan", "a number not less than 0"},
+      {8, "[camera]\neye = [1, 2]", "three numbers"},
+      {8, "[camera]\ntarget = [1, 2, inf]", "three numbers"},
+      {8, "[camera]\neye = [1, 2, 3]\ntarget = [1, 2, 3]", "another point than target"},
+      {8, "[camera]\nstill = -1", "a number not less than 0"},
+      {8, "[camera]\nstill = 1.5", "from 0 to the end of [time]"},
+      {8, "[start]\nvelocity = 3", "three numbers"},
+      {8, "[start]\nspin = [0, 6]", "three numbers"},
+      {8, "[start]\nshape = \"round\"", "Valid are flat, hanging"},
+  };
+  for (const BadLine& bad : bad_lines) {
+    const std::string said = refusal(with_line(bad.line, bad.text, scene));
+    const bool eye = bad.text.find("eye") != bad.text.npos;  // refused above the last line
+    const long below = std::count(bad.text.begin(), bad.text.end(), '\n');
+    const long line = bad.line + (eye ? 1 : below);
+    expect_says(said, {"scene.toml:" + std::to_string(line) + ": [", bad.valid});
+  }
+}
+
+TEST_F(SceneRefusals, damping_of_an_absent_term_is_refused) {
+  expect_says(refusal(scene + "[stretch]\nk = 1\n[damping]\nstretch = 1\nshear = 1"),
+              {"scene.toml:13: ", "[damping] shear", "no [shear]", "add [shear], or take out"});
+}
+
+TEST_F(SceneRefusals, a_cloth_is_a_grid_or_a_mesh_and_not_both) {
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  expect_says(refusal(with_line(3, "mesh = \"m.obj\"")),
+              {"scene.toml:2: ", "mesh", "take out one"});
+}
+
+TEST_F(SceneRefusals, a_mesh_that_is_missing_or_no_file_is_named_in_the_line_of_the_scene) {
+  const auto mesh = [](const std::string& m) {
+    return "[cloth]\nmesh = " + m + "\ndensity = 0.2\n[time]\nh = 1\nend = 1\n";
+  };
+  expect_says(refusal(mesh("\"no.obj\"")), {"scene.toml:2: ", "no.obj: there is no such file"});
+  expect_says(refusal(mesh("\".\"")), {"scene.toml:2: ", "directory, a file is needed"});
+  expect_says(refusal(mesh("3")), {"scene.toml:2: ", "name of a file"});
+}
+
+TEST_F(SceneRefusals, a_grid_too_large_for_memory_says_how_much_it_needs_and_how_much_there_is) {
+  expect_says(refusal(with_line(3, "cells = [2147483647, 2147483647]")),
+              {"scene.toml:3: ", "2147483647 x 2147483647 cells", "need at least", "MB",
+               "this machine has", "fewer cells"});
+  expect_says(refusal(with_line(3, "cells = [10000000, 100000]")),
+              {"scene.toml:3: ", "MB", "fewer"});
+}
+
+TEST_F(SceneRefusals, pins_that_do_not_exist_are_named_with_the_valid_ones) {
+  const auto pins = [&](const std::string& list) {
+    return refusal(with_line(4, "density = 1\npins = " + list));
+  };
+  expect_says(pins("[9]"), {"scene.toml:5: ", "pins = 9", "a vertex number from 0 to 8"});
+  expect_says(pins("[-1]"), {"scene.toml:5: ", "a vertex number from 0 to 8"});
+  expect_says(pins("[1.0]"), {"scene.toml:5: ", "a name or a vertex number from 0 to 8"});
+  expect_says(pins("[\"top lef\"]"),
+              {"scene.toml:5: ", "did you mean \"top left\"?", "bottom right", "from 0 to 8"});
+  expect_says(pins("\"top\""), {"scene.toml:5: ", "a list, like [\"top left\", \"top right\"]"});
+}
+
+TEST_F(SceneRefusals, a_mesh_has_no_named_pins_no_shape_and_no_cells) {
+  write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::string mesh = "[cloth]\nmesh = \"m.obj\"\ndensity = 1\n[time]\nh = 1\nend = 1\n";
+  expect_says(refusal(with_line(3, "density = 1\npins = [\"top\"]", mesh)),
+              {"scene.toml:4: ", "only a grid", "a vertex number from 0 to 2"});
+  expect_says(refusal(mesh + "[start]\nshape = \"flat\""), {"scene.toml:8: ", "positions"});
+  expect_says(refusal(mesh, "step01", {.cells = 3}), {"scene.toml: --cells 3", "only a grid"});
+}
+
+TEST_F(SceneRefusals, start_keys_that_exclude_each_other_are_refused) {
+  write("p.obj", "");
+  write("v.csv", "");
+  expect_says(refusal(scene + "[start]\nshape = \"flat\"\npositions = \"p.obj\""),
+              {"scene.toml:10: ", "shape", "positions", "take out one"});
+  for (const std::string key : {"velocity", "spin"})
+    expect_says(refusal(scene + "[start]\n" + key + " = [0, 0, 0]\nvelocities = \"v.csv\""),
+                {"scene.toml:10: ", key, "velocities", "take out one"});
+}
+
+TEST_F(SceneRefusals, start_positions_must_be_one_per_vertex) {
+  write("p.obj", "v 0 0 0\nv 1 2 3\n");
+  expect_says(refusal(scene + "[start]\npositions = \"p.obj\""),
+              {"scene.toml:10: ", "p.obj has 2 vertices", "the cloth has 9"});
+  write("p.obj", "v 0 0 0\nv 1 nan 3\n");
+  expect_says(refusal(scene + "[start]\npositions = \"p.obj\""), {"p.obj:2: ", "finite numbers"});
+  expect_says(refusal(scene + "[start]\npositions = \"q.obj\""),
+              {"scene.toml:10: ", "no such file"});
+}
+
+TEST_F(SceneRefusals, start_velocities_must_be_a_header_and_one_row_per_vertex) {
+  const auto csv = [&](const std::string& text) {
+    write("v.csv", text);
+    return refusal(scene + "[start]\nvelocities = \"v.csv\"");
+  };
+  expect_says(csv("0,0,0\n"), {"v.csv:1: ", "header vx,vy,vz"});
+  expect_says(csv(""), {"v.csv:1: ", "header vx,vy,vz"});
+  expect_says(csv("vx,vy,vz\n0,0,0\n0,0\n"), {"v.csv:3: ", "three finite numbers"});
+  expect_says(csv("vx,vy,vz\n0,0,nan\n"), {"v.csv:2: ", "three finite numbers"});
+  expect_says(csv("vx,vy,vz\n0,0,1,2\n"), {"v.csv:2: ", "three finite numbers"});
+  expect_says(csv("vx,vy,vz\n0,0,1e999\n"), {"v.csv:2: ", "three finite numbers"});
+  expect_says(csv("vx,vy,vz\n0,0,1\n"), {"v.csv: 1 rows", "9 vertices", "one row per vertex"});
+  std::string long_one = "vx,vy,vz\n";
+  for (int i = 0; i < 10; ++i) long_one += "0,0,0\n";
+  expect_says(csv(long_one), {"v.csv: 10 rows", "9 vertices"});
+}
+
+TEST_F(SceneRefusals, tables_that_cannot_be_left_out_or_do_not_exist_are_refused) {
+  for (const std::string name : {"cloth", "time"})
+    expect_says(refusal(scene, "step01", {.without = {name}}),
+                {"scene.toml: --without " + name, "every scene needs"});
+  expect_says(refusal(scene, "step01", {.without = {"gravty"}}),
+              {"scene.toml: --without gravty", "did you mean \"gravity\"?", "stretch, shear"});
+}
+
+TEST_F(SceneRefusals, values_of_the_command_line_are_checked_like_those_of_the_file) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Overrides bad[] = {{.h = 0}, {.h = nan}, {.end = -1}, {.frames = 0}, {.cells = 0}};
+  const std::string keys[] = {"[time] h", "[time] h", "[time] end", "[time] frames",
+                              "[cloth] cells"};
+  for (size_t i = 0; i < std::size(bad); ++i)
+    expect_says(refusal(scene, "step01", bad[i]),
+                {"scene.toml: " + keys[i], "from the command line", "it must be"});
+}

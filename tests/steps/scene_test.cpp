@@ -1,0 +1,198 @@
+// What a scene means: its defaults, its tables, how the cloth starts, and what the command line changes.
+#include "scene/velocities.h"
+#include "steps/scene_files.h"
+
+using SceneTest = SceneFiles;
+
+const std::string all_tables =
+    cloth_and_time +
+    "[gravity]\ng = 9.81\n[stretch]\nk = 1000\n[shear]\nk = 500.5\n[damping]\nstretch = 0.02\n"
+    "shear = 0.01\n[camera]\neye = [0, 1, 4]\nstill = 0.5\n";
+
+TEST_F(SceneTest, without_a_table_nothing_of_it_exists) {
+  const Scene scene = read(cloth_and_time);
+  EXPECT_FALSE(scene.cloth.gravity);
+  EXPECT_FALSE(scene.cloth.triangles.stretch);
+  EXPECT_FALSE(scene.cloth.triangles.shear);
+  EXPECT_EQ(scene.cloth.triangles.elements.capacity(), 0u);
+  EXPECT_EQ(scene.cloth.springs.elements.capacity(), 0u);
+  EXPECT_EQ(scene.cloth.pins.capacity(), 0u);
+  EXPECT_FALSE(scene.camera.eye || scene.camera.target || scene.camera.still);
+}
+
+TEST_F(SceneTest, every_table_arrives_where_the_steps_read_it) {
+  const Scene scene = read(all_tables);
+  EXPECT_EQ(*scene.cloth.gravity, Vec3(0, -9.81, 0));
+  const Triangles& triangles = scene.cloth.triangles;
+  EXPECT_EQ(triangles.elements.size(), 8u);
+  EXPECT_STREQ(triangles.stretch->name, "stretch");
+  EXPECT_STREQ(triangles.shear->name, "shear");
+  EXPECT_EQ(triangles.stretch->k, 1000);
+  EXPECT_EQ(triangles.shear->k, 500.5);
+  EXPECT_EQ(triangles.stretch->kd, 0.02);
+  EXPECT_EQ(triangles.shear->kd, 0.01);
+  EXPECT_EQ(*scene.camera.eye, Vec3(0, 1, 4));
+  EXPECT_FALSE(scene.camera.target);
+  EXPECT_EQ(*scene.camera.still, 0.5);
+  EXPECT_EQ(scene.file, directory / "scene.toml");
+}
+
+TEST_F(SceneTest, defaults_are_twelve_frames_the_diagonals_of_the_notes_and_a_flat_cloth_at_rest) {
+  const Scene scene = read(cloth_and_time);
+  const Mesh grid = make_grid({1, 1}, {2, 2}, Diagonals::same);
+  EXPECT_EQ(scene.time.frames, 12);
+  EXPECT_EQ(scene.mesh.faces, grid.faces);
+  EXPECT_EQ(scene.start.x, grid.x);
+  EXPECT_TRUE(scene.start.v.isZero(0));
+  EXPECT_EQ(scene.start.v.size(), grid.x.size());
+}
+
+TEST_F(SceneTest, one_term_is_damped_without_the_other) {
+  const Scene scene =
+      read(cloth_and_time + "[stretch]\nk = 1\n[shear]\nk = 1\n[damping]\nshear = 2");
+  EXPECT_EQ(scene.cloth.triangles.stretch->kd, 0);
+  EXPECT_EQ(scene.cloth.triangles.shear->kd, 2);
+}
+
+TEST_F(SceneTest, whole_numbers_are_numbers_and_zero_gravity_and_stiffness_are_allowed) {
+  const Scene scene =
+      read(with_line(6, "h = 1", cloth_and_time + "[gravity]\ng = 0\n[shear]\nk = 0"));
+  EXPECT_EQ(scene.time.h, 1);
+  EXPECT_TRUE(scene.cloth.gravity->isZero(0));
+  EXPECT_EQ(scene.cloth.triangles.shear->k, 0);
+}
+
+TEST_F(SceneTest, the_number_of_steps_forgives_rounding_and_covers_the_end) {
+  EXPECT_EQ((Time{0.001, 1.0, 12}).steps(), 1000);
+  EXPECT_EQ((Time{0.1, 0.3, 12}).steps(), 3) << "0.3 / 0.1 is 2.9999999999999996";
+  EXPECT_EQ((Time{0.3, 1.0, 12}).steps(), 4) << "the last step goes beyond the end";
+  EXPECT_EQ((Time{2.0, 1.0, 12}).steps(), 1);
+  EXPECT_EQ((Time{1e-9, 1.0, 12}).steps(), 1000000000);
+}
+
+TEST_F(SceneTest, frames_are_spread_evenly_over_the_steps) {
+  const Time time{0.3, 3.0, 4};
+  EXPECT_EQ(time.step_of_frame(0), 0);
+  EXPECT_EQ(time.step_of_frame(1), 3) << "2.5 rounded";
+  EXPECT_EQ(time.step_of_frame(2), 5);
+  EXPECT_EQ(time.step_of_frame(4), time.steps());
+  EXPECT_EQ((Time{1e-9, 1.0, 1000}).step_of_frame(999), 999000000);
+}
+
+TEST_F(SceneTest, pins_are_corners_edges_and_numbers_and_each_vertex_once) {
+  const auto pins = [&](const std::string& list) {
+    return read(with_line(4, "density = 1\npins = " + list)).cloth.pins;
+  };
+  using Pins = std::vector<int>;
+  EXPECT_EQ(pins("[\"bottom left\"]"), (Pins{0}));
+  EXPECT_EQ(pins("[\"bottom right\"]"), (Pins{2}));
+  EXPECT_EQ(pins("[\"top left\"]"), (Pins{6}));
+  EXPECT_EQ(pins("[\"top right\"]"), (Pins{8}));
+  EXPECT_EQ(pins("[\"bottom\"]"), (Pins{0, 1, 2}));
+  EXPECT_EQ(pins("[\"top\"]"), (Pins{6, 7, 8}));
+  EXPECT_EQ(pins("[\"left\"]"), (Pins{0, 3, 6}));
+  EXPECT_EQ(pins("[\"right\"]"), (Pins{2, 5, 8}));
+  EXPECT_EQ(pins("[\"top\", 4, \"left\", 4, 8]"), (Pins{0, 3, 4, 6, 7, 8}));
+  EXPECT_EQ(pins("[]"), Pins{});
+}
+
+TEST_F(SceneTest,
+       a_hanging_cloth_is_upright_with_a_wrinkle_of_a_millimetre_and_no_mirror_symmetry) {
+  const Scene scene =
+      read(with_line(3, "cells = [10, 10]", cloth_and_time) + "[start]\nshape = \"hanging\"\n");
+  double largest = 0;
+  for (int i = 0; i < 121; ++i) {
+    const Vec3 x = scene.start.x.segment<3>(3 * i);
+    const Vec3 mirrored = scene.start.x.segment<3>(3 * (i / 11 * 11 + 10 - i % 11));
+    EXPECT_EQ(x.x(), scene.mesh.x[3 * i]);
+    EXPECT_EQ(x.y(), -scene.mesh.x[3 * i + 2]);
+    EXPECT_GT(std::abs(x.z()), 1e-6) << "vertex " << i << " is in the plane";
+    if (i % 11 % 5 != 0) {  // neither in the middle nor at the edges
+      EXPECT_GT(std::abs(std::abs(x.z()) - std::abs(mirrored.z())), 1e-6) << i;
+    }
+    largest = std::max(largest, std::abs(x.z()));
+  }
+  EXPECT_LE(largest, 1e-3);
+  EXPECT_GT(largest, 0.8e-3);
+}
+
+TEST_F(SceneTest, velocity_and_spin_add_up_and_give_these_momenta) {
+  const Scene scene = read(with_line(3, "cells = [5, 3]\ndiagonals = \"alternating\"") +
+                           "[start]\nvelocity = [1, 2, 3]\nspin = [0, 6, 0]\n");
+  const Cloth& cloth = scene.cloth;
+  Vec3 momentum = Vec3::Zero(), angular = Vec3::Zero(), center = Vec3::Zero();
+  double inertia = 0;  // about the vertical axis through the centre of mass
+  for (int i = 0; i < cloth.vertices(); ++i)
+    center += cloth.mass[3 * i] * scene.start.x.segment<3>(3 * i) / 0.2;
+  for (int i = 0; i < cloth.vertices(); ++i) {
+    const double mass = cloth.mass[3 * i];
+    const Vec3 arm = scene.start.x.segment<3>(3 * i) - center, v = scene.start.v.segment<3>(3 * i);
+    momentum += mass * v;
+    angular += mass * arm.cross(v);
+    inertia += mass * (arm.x() * arm.x() + arm.z() * arm.z());
+  }
+  EXPECT_LT((momentum - 0.2 * Vec3(1, 2, 3)).norm(), 1e-15);
+  EXPECT_LT((angular - inertia * Vec3(0, 6, 0)).norm(), 1e-15);
+}
+
+TEST_F(SceneTest, pinned_vertices_start_at_rest) {
+  const Scene scene = read(with_line(4, "density = 1\npins = [0, 4]") +
+                           "[start]\nvelocity = [1, 1, 1]\nspin = [1, 0, 0]\n");
+  for (int i = 0; i < 9; ++i)
+    EXPECT_EQ(scene.start.v.segment<3>(3 * i).isZero(0), i == 0 || i == 4) << i;
+}
+
+TEST_F(SceneTest, the_files_of_a_run_start_another_one_to_the_last_digit) {
+  const Scene scene = read(cloth_and_time);
+  const VecX x = VecX::Random(27), v = 1e-7 * VecX::Random(27);
+  write_obj(directory / "final.obj", scene.mesh, x);
+  write_velocities(directory / "final.csv", v);
+  const Scene restarted =
+      read(cloth_and_time + "[start]\npositions = \"final.obj\"\nvelocities = \"final.csv\"\n");
+  EXPECT_LE((restarted.start.x - x).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_EQ(restarted.start.v, v);
+  EXPECT_EQ(restarted.mesh.x, scene.mesh.x);
+}
+
+TEST_F(SceneTest, a_mesh_is_found_beside_the_scene_and_starts_as_its_file_has_it) {
+  write("m.obj", "v 0 5 0\nv 2 5 0\nv 0 5 1\nf 1 2 3\n");
+  const Scene scene = read(
+      "[cloth]\nmesh = \"m.obj\"\ndensity = 3\npins = [1]\n[time]\nh = 1\nend = 1\n[shear]\nk = 1");
+  EXPECT_EQ(scene.start.x, scene.mesh.x);
+  EXPECT_EQ(scene.start.x[1], 5);
+  EXPECT_DOUBLE_EQ(scene.cloth.mass[0], 1);
+  EXPECT_EQ(scene.cloth.inverse_mass.segment<3>(3), Vec3::Zero());
+  EXPECT_EQ(scene.cloth.triangles.elements.size(), 1u);
+}
+
+TEST_F(SceneTest, tables_taken_out_are_not_modelled_and_a_term_goes_with_its_damping) {
+  const Scene bare = read(all_tables, "step02", {.without = {"damping", "gravity", "bend"}});
+  EXPECT_EQ(bare.cloth.triangles.stretch->kd, 0);
+  EXPECT_FALSE(bare.cloth.gravity);
+  const Scene no_shear = read(all_tables, "step02", {.without = {"shear"}});
+  EXPECT_FALSE(no_shear.cloth.triangles.shear);
+  EXPECT_EQ(no_shear.cloth.triangles.stretch->kd, 0.02);
+  const Scene first = read(all_tables, "step01_explicit", {.without = {"damping"}});
+  EXPECT_EQ(first.cloth.triangles.stretch->kd, 0);
+}
+
+TEST_F(SceneTest, the_command_line_replaces_time_and_cells) {
+  const Scene scene = read(with_line(3, "cells = [4, 2]", all_tables), "step02",
+                           {.h = 0.01, .end = 0.25, .frames = 5, .cells = 6});
+  EXPECT_EQ(scene.time.h, 0.01);
+  EXPECT_EQ(scene.time.end, 0.25);
+  EXPECT_EQ(scene.time.frames, 5);
+  EXPECT_EQ(scene.mesh.vertices(), 7 * 4) << "cells keep their shape";
+  EXPECT_EQ(*scene.camera.still, 0.25) << "the still of a shortened run is its end";
+}
+
+TEST_F(SceneTest, a_still_at_the_very_end_and_windows_line_ends_are_accepted) {
+  EXPECT_EQ(*read(cloth_and_time + "[camera]\nstill = 1\n").camera.still, 1);
+  std::string windows;
+  for (const char c : all_tables) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(read(windows).cloth.triangles.stretch->k, 1000);
+}
+
+TEST_F(SceneTest, a_program_that_is_no_step_is_an_error_of_the_programmer) {
+  EXPECT_THROW(read(cloth_and_time, "study"), std::invalid_argument);
+}
