@@ -72,6 +72,12 @@ TEST(Stability, ADroppedSheetKeepsItsEnergyAtFourFifthsOfTheLimit) {
   EXPECT_LT(r.energy_error, 0.2);
 }
 
+// h_crit belongs to small vibrations; the folds of a dropped sheet feed fast ones. Measured: every one
+// of six slightly different starts explodes at 0.9 of it, after 2960 to 8660 steps.
+TEST(Stability, ADroppedSheetMayExplodeBelowTheLimit) {
+  EXPECT_TRUE(watch_step01(drop(), 0.9 * critical_step_of(drop()), 10000).exploded);
+}
+
 // Measured: after 33 and 19 steps.
 TEST(Stability, BeyondTheLimitASheetExplodesWithinASecond) {
   for (const TestScene& scene : {drop(), hanging()}) {
