@@ -67,7 +67,8 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   app.add_option("--without", options.overrides.without,
                  "leave a table of the scene out; may repeat")
       ->option_text("TABLE");
-  app.add_flag("!--no-pictures", options.pictures, "numbers only");
+  app.add_flag_callback(
+      "--no-pictures", [&] { options.pictures = false; }, "numbers only");
   app.add_option("--size", size,
                  "of every picture; 1280x720 for the still and half of it for the frames if absent")
       ->option_text("WxH");
@@ -118,6 +119,9 @@ int run_program(int argc, char** argv, const Program& program,
     return 2;
   } catch (const BadInput& error) {
     std::cerr << error.what() << "\n";
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::cerr << program.name << ": not enough memory for this cloth; take fewer cells\n";
     return 2;
   } catch (const std::exception& error) {
     std::cerr << program.name << ": " << one_line(error.what()) << "\n";

@@ -62,8 +62,8 @@ std::string Pictures::scene_name() const {
   return (directory / scene.file.filename()).string();
 }
 
-// The film shows twelve moments evenly from the start to the end, or all frames where there are
-// fewer.
+// The film shows the moments i/12 of the run, i = 1 … 12, or all frames where there are fewer, and
+// the last frame of a run that broke off.
 bool Pictures::on_film(int number) const {
   const int frames = scene.time.frames;
   if (frames < film_tiles) return true;
@@ -78,10 +78,11 @@ void Pictures::frame(int number_, const VecX& x, double time) {
   char name[32];
   std::snprintf(name, sizeof name, "frame_%04d.png", number_);
   write_png(options.out / name, image, about(time));
-  if (!on_film(number_)) return;
   if (!options.caption)
     draw_text(image, 0.03 * width, 0.92 * height, 0.05 * height, number(time, "%.3f") + " s", ink);
+  if (!last_is_kept) strip.pop_back();
   strip.push_back(std::move(image));
+  last_is_kept = on_film(number_);
 }
 
 void Pictures::still(const VecX& x, double time) {

@@ -22,5 +22,6 @@ class Pictures {
   const Scene& scene;
   Stage stage;
   mutable Renderer renderer;
-  std::vector<Image> strip;
+  std::vector<Image> strip;  // the moments of the film so far, and the last frame
+  bool last_is_kept = true;  // on the film, whatever comes after it
 };

@@ -1,0 +1,159 @@
+// Every option does what --help says.
+#include <cmath>
+#include <regex>
+
+#include "picture/png.h"
+#include "scene/mesh.h"
+#include "steps/program_runner.h"
+
+namespace {
+
+class OptionsTest : public ProgramTest {
+ protected:
+  // A short run of the program's own scene on few cells, in a directory of its own.
+  std::filesystem::path results(const std::string& out, const Arguments& more) const {
+    Arguments arguments = {"--end", "0.05", "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_done(arguments);
+    return directory / out;
+  }
+};
+
+// The left two thirds: the legend of --strain stands in the rest.
+std::vector<unsigned char> left_part(const Image& image) {
+  std::vector<unsigned char> rgb;
+  for (int y = 0; y < image.height; ++y) {
+    const auto row = image.rgb.begin() + long(pixel_at(image, 0, y));
+    rgb.insert(rgb.end(), row, row + 2 * image.width);
+  }
+  return rgb;
+}
+
+}  // namespace
+
+TEST_P(OptionsTest, help_lists_every_option) {
+  const Outcome help = run({"--help"});
+  EXPECT_EQ(help.code, 0);
+  EXPECT_EQ(help.err, "");
+  for (const char* option :
+       {"scene.toml", "--out DIR", "--frames N", "--h S", "--end S", "--cells N", "--size WxH",
+        "--without TABLE", "--no-pictures ", "--export obj", "--wireframe", "--caption",
+        "--strain S", "--help", "--version"})
+    EXPECT_NE(help.out.find(option), std::string::npos) << option << " is not in\n" << help.out;
+  EXPECT_EQ(files_in(directory), std::vector<std::string>{});
+}
+
+TEST_P(OptionsTest, version_is_one_line_with_the_name_of_the_program) {
+  const Outcome version = run({"--version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_TRUE(
+      std::regex_match(version.out, std::regex(GetParam().name + R"( \(Large Steps [0-9.]+\)\n)")))
+      << version.out;
+}
+
+TEST_P(OptionsTest, results_go_to_a_directory_named_after_the_program) {
+  expect_done({"--cells", "4", "--end", "0.01", "--no-pictures"});
+  EXPECT_EQ(files_in(directory), std::vector<std::string>{"out"});
+  EXPECT_EQ(files_in(directory / "out"), std::vector<std::string>{GetParam().name});
+}
+
+TEST_P(OptionsTest, export_writes_one_mesh_per_frame) {
+  const std::filesystem::path out =
+      results("out", {"--cells", "6", "--frames", "4", "--export", "obj", "--no-pictures"});
+  EXPECT_EQ(count_starting(files_in(out), "frame_", ".obj"), 5);
+  double y_before = 1;
+  for (int frame = 0; frame <= 4; ++frame) {
+    const Mesh mesh = read_obj(out / ("frame_000" + std::to_string(frame) + ".obj"));
+    EXPECT_EQ(mesh.vertices(), 49);
+    EXPECT_EQ(mesh.faces.size(), 72u);
+    EXPECT_LT(mesh.x[1], y_before) << "the free corner falls";
+    y_before = mesh.x[1];
+  }
+  EXPECT_EQ(read_all(out / "frame_0004.obj"), read_all(out / "final.obj"));
+}
+
+TEST_P(OptionsTest, frames_end_and_cells_replace_those_of_the_scene) {
+  expect_done({"--cells", "5", "--frames", "3", "--end", "0.02", "--no-pictures", "--out", "out"});
+  const Table log = read_table(directory / "out/log.csv");
+  EXPECT_EQ(log.at("frame"), (std::vector<double>{0, 1, 2, 3}));
+  EXPECT_NEAR(log.at("time").back(), 0.02, 1e-12);
+  EXPECT_EQ(read_obj(directory / "out/final.obj").vertices(), 36);
+}
+
+TEST_P(OptionsTest, h_replaces_that_of_the_scene) {
+  const auto said = [&](const char* h) {
+    return run({"--cells", "5", "--end", "0.02", "--h", h, "--no-pictures"}).out;
+  };
+  EXPECT_NE(said("0.0001").find("h = 0.0001 s, 200 steps"), std::string::npos);
+  EXPECT_NE(said("0.00005").find("h = 5e-05 s, 400 steps"), std::string::npos);
+}
+
+TEST_P(OptionsTest, without_gravity_a_flat_cloth_stays_where_it_is) {
+  const std::filesystem::path out =
+      results("out", {"--cells", "5", "--without", "gravity", "--no-pictures"});
+  const Table log = read_table(out / "log.csv");
+  EXPECT_NEAR(log.at("lowest").back(), 0, 1e-12);
+  EXPECT_EQ(log.at("gravitational").back(), 0);
+}
+
+TEST_P(OptionsTest, without_a_term_its_column_is_gone) {
+  const std::filesystem::path out =
+      results("out", {"--cells", "5", "--without", "shear", "--no-pictures"});
+  const Table log = read_table(out / "log.csv");
+  EXPECT_EQ(log.count("shear"), 0u);
+  EXPECT_EQ(log.count("stretch"), 1u);
+}
+
+TEST_P(OptionsTest, each_look_draws_another_picture_of_the_asked_size) {
+  const std::vector<Arguments> looks = {
+      {}, {"--strain", "0.1"}, {"--wireframe"}, {"--caption"}, {"--strain", "0.01"}};
+  std::vector<Image> frames, stills;
+  for (size_t look = 0; look < looks.size(); ++look) {
+    Arguments arguments = {"--cells", "8", "--frames", "2", "--size", "160x90"};
+    arguments.insert(arguments.end(), looks[look].begin(), looks[look].end());
+    const std::filesystem::path out = results("look" + std::to_string(look), arguments);
+    EXPECT_TRUE(exists(out / "film.png"));
+    frames.push_back(read_png(out / "frame_0002.png"));
+    stills.push_back(read_png(out / "still.png"));
+    EXPECT_EQ(count_starting(files_in(out), "frame_", ".png"), 3);
+    EXPECT_EQ(count_starting(files_in(out), "", ".part"), 0);
+  }
+  for (const std::vector<Image>& pictures : {frames, stills})
+    for (size_t a = 0; a < pictures.size(); ++a) {
+      EXPECT_EQ(pictures[a].width, 160);
+      EXPECT_EQ(pictures[a].height, 90);
+      for (size_t b = 0; b < a; ++b)
+        EXPECT_TRUE(left_part(pictures[a]) != left_part(pictures[b]))
+            << "looks " << b << " and " << a;
+    }
+}
+
+// The film shows the start, the end and the frames between: more of the picture than one frame.
+TEST_P(OptionsTest, film_holds_all_frames_of_a_short_run) {
+  const std::filesystem::path out =
+      results("out", {"--cells", "8", "--frames", "3", "--size", "160x90"});
+  const Image film = read_png(out / "film.png");
+  EXPECT_GE(film.width, 4 * 160);
+  EXPECT_LT(film.height, 2 * 90);
+}
+
+// … and neither when nor where: the same run gives the same bytes on every day and machine.
+TEST_P(OptionsTest, pictures_say_what_made_them) {
+  const std::filesystem::path out = results(
+      "out", {"--cells", "8", "--frames", "2", "--h", "0.0001", "--size", "160x90", "--caption"});
+  const std::vector<std::pair<std::string, std::string>> pictures = {
+      {"frame_0001.png", "0.025 s"}, {"frame_0002.png", "0.05 s"}, {"film.png", "0.05 s"}};
+  for (const auto& [file, time] : pictures) {
+    const PngText expected = {{"Software", "Large Steps, " + GetParam().name},
+                              {"Scene", GetParam().name + "/scene.toml"},
+                              {"TimeStep", "0.0001 s"},
+                              {"Time", time}};
+    EXPECT_EQ(read_png_text(out / file), expected) << file;
+    const std::string bytes = read_all(out / file);
+    for (const std::string& never :
+         {std::string("tIME"), directory.string(), std::string(SOURCE_DIRECTORY)})
+      EXPECT_EQ(bytes.find(never), std::string::npos) << file << " holds " << never;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, OptionsTest, testing::ValuesIn(programs()), name_of);

@@ -1,0 +1,90 @@
+// Runs the programs as a user does: with arguments, in a directory, until they end.
+#pragma once
+#include <gtest/gtest.h>
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+// A program of the list in tests/steps/CMakeLists.txt.
+struct StepProgram {
+  std::string name;  // step01_explicit
+  std::filesystem::path path;
+
+  int number() const { return name[5] - '0'; }
+  bool is_explicit() const { return number() <= 2; }
+  std::filesystem::path scene() const;  // its own scene.toml
+};
+inline void PrintTo(const StepProgram& program, std::ostream* out) {
+  *out << program.name;
+}
+
+std::vector<StepProgram> programs();
+std::vector<StepProgram> explicit_programs();
+std::string name_of(const testing::TestParamInfo<StepProgram>& info);
+
+struct Outcome {
+  int code = -1;  // −1: killed by a signal, or by us after too long a time
+  std::string out, err;
+};
+
+using Arguments = std::vector<std::string>;
+
+// A program that is running; killed where the test leaves it.
+class Running {
+ public:
+  // No file may grow beyond `largest_file` bytes: how a full disk is played without being root.
+  Running(const std::filesystem::path& program, const Arguments& arguments,
+          const std::filesystem::path& directory, std::optional<long> largest_file = {});
+  ~Running();
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  bool wait_for_output(const std::string& text, double seconds);
+  void send(int signal) const;
+  Outcome wait(double seconds);
+
+ private:
+  bool read_for(double seconds);  // false once both ends are closed
+
+  pid_t child = 0;
+  int out = -1, err = -1;
+  Outcome outcome;
+};
+
+using Table = std::map<std::string, std::vector<double>>;  // column by name
+
+// A test in a fresh directory, which is removed after it.
+class ProgramDirectory : public testing::Test {
+ protected:
+  ProgramDirectory();
+  ~ProgramDirectory() override;
+
+  Outcome run(const StepProgram&, const Arguments&, std::optional<long> largest_file = {}) const;
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
+
+  const std::filesystem::path directory;
+};
+
+// The same for every program of the list.
+class ProgramTest : public ProgramDirectory, public testing::WithParamInterface<StepProgram> {
+ protected:
+  Outcome run(const Arguments& arguments, std::optional<long> largest_file = {}) const {
+    return ProgramDirectory::run(GetParam(), arguments, largest_file);
+  }
+  void expect_done(const Arguments&) const;  // exit code 0, and nothing on the standard error
+};
+
+std::string read_all(const std::filesystem::path&);
+std::vector<std::string> lines_of(const std::string& text);
+std::vector<std::string> columns_of(const std::string& csv);
+Table read_table(const std::filesystem::path& csv);  // fails the test where a row is not whole
+
+// Names of the files in a directory, sorted; none where it does not exist.
+std::vector<std::string> files_in(const std::filesystem::path& directory);
+int count_starting(const std::vector<std::string>& names, const std::string& start,
+                   const std::string& end);

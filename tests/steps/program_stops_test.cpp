@@ -1,0 +1,149 @@
+// A run that does not come to its end: full disk, explosion, Ctrl-C. What it wrote until then stays.
+#include <cmath>
+#include <csignal>
+#include <regex>
+
+#include "picture/png.h"
+#include "scene/mesh.h"
+#include "scene/velocities.h"
+#include "steps/program_runner.h"
+
+namespace {
+
+// What the program says about its longest stable step.
+double critical_step_of(const std::string& output) {
+  std::smatch match;
+  if (!std::regex_search(output, match, std::regex("h_crit = ([0-9.e-]+) s"))) return 0;
+  return std::stod(match[1]);
+}
+
+double number_after(const std::string& text, const std::string& words) {
+  const size_t at = text.find(words);
+  return at == text.npos ? -1 : std::stod(text.substr(at + words.size()));
+}
+
+std::string text_of(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", number);
+  return text;
+}
+
+class StopsTest : public ProgramTest {
+ protected:
+  // A run whose files may not grow beyond `bytes` breaks off at the first that does.
+  void expect_full_disk(long bytes, const std::string& file, const Arguments& more) const {
+    SCOPED_TRACE(file);
+    std::filesystem::remove_all(directory / "out");
+    Arguments arguments = {"--cells", "8", "--end", "0.02", "--out", "out"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome full = run(arguments, bytes);
+    EXPECT_EQ(full.code, 1);
+    EXPECT_EQ(lines_of(full.err).size(), 1u) << full.err;
+    EXPECT_NE(full.err.find("out/" + file), std::string::npos) << full.err;
+    EXPECT_NE(full.err.find("File too large"), std::string::npos) << full.err;
+    const std::vector<std::string> files = files_in(directory / "out");
+    EXPECT_EQ(count_starting(files, file, ""), 0) << "part of it is left";
+    EXPECT_EQ(count_starting(files, "", ".part"), 0);
+    if (file != "log.csv") {
+      EXPECT_GE(read_table(directory / "out/log.csv")["frame"].size(), 1u);
+    }
+  }
+};
+class ExplosionTest : public StopsTest {};
+
+}  // namespace
+
+TEST_P(StopsTest, full_disk_is_named_with_file_and_reason_and_leaves_no_part_of_it) {
+  expect_full_disk(1500, "log.csv", {"--frames", "100", "--no-pictures"});
+  expect_full_disk(1500, "frame_0000.png", {"--size", "160x90"});
+  expect_full_disk(1500, "frame_0000.obj", {"--frames", "2", "--no-pictures", "--export", "obj"});
+  expect_full_disk(1500, "final.obj", {"--frames", "2", "--no-pictures"});
+}
+
+// Where not even the header of log.csv fits, nothing has started.
+TEST_P(StopsTest, disk_that_is_full_from_the_start_is_refused) {
+  const Outcome full = run({"--cells", "8", "--out", "out"}, 0);
+  EXPECT_NE(full.code, 0);
+  EXPECT_EQ(lines_of(full.err).size(), 1u) << full.err;
+  EXPECT_NE(full.err.find("out: File too large"), std::string::npos) << full.err;
+  EXPECT_EQ(files_in(directory / "out"), std::vector<std::string>{});
+}
+
+// … and the --h that it names works.
+TEST_P(ExplosionTest, beyond_the_stable_step_it_breaks_off_and_says_what_to_try) {
+  const Arguments scene = {"--cells", "16", "--end", "1", "--frames", "100", "--size", "80x45"};
+  const auto with_h = [&](double h, const std::string& out) {
+    Arguments arguments = scene;
+    arguments.insert(arguments.end(), {"--h", text_of(h), "--out", out});
+    return arguments;
+  };
+  const Outcome stable = run({"--cells", "16", "--end", "0.001", "--no-pictures"});
+  const double h_crit = critical_step_of(stable.out);
+  ASSERT_GT(h_crit, 1e-4) << stable.out;
+
+  const double h = std::stod(text_of(1.1 * h_crit));
+  const Outcome outcome = run(with_h(h, "out"));
+  EXPECT_EQ(outcome.code, 1);
+  const std::vector<std::string> said = lines_of(outcome.err);
+  ASSERT_EQ(said.size(), 2u) << outcome.err;
+  EXPECT_TRUE(said[0].starts_with("warning: h = ")) << said[0];
+  EXPECT_TRUE(std::regex_search(said[1], std::regex("times its length|not finite"))) << said[1];
+  EXPECT_NE(said[1].find("is 1.10 of the stable step"), std::string::npos) << said[1];
+  const double step = number_after(said[1], "exploded in step "),
+               time = number_after(said[1], "(t = "), try_h = number_after(said[1], "try --h ");
+  EXPECT_GT(time, 0);
+  EXPECT_LE(time, 1) << "within one simulated second";
+  EXPECT_NEAR(time, step * h, 1e-5 * time);
+
+  const std::vector<std::string> files = files_in(directory / "out");
+  const Table log = read_table(directory / "out/log.csv");
+  const int frames = int(log.at("frame").size());
+  EXPECT_GE(frames, 2);
+  EXPECT_LE(log.at("time").back(), time);
+  EXPECT_EQ(count_starting(files, "frame_", ".png"), frames);
+  for (int frame = 0; frame < frames; ++frame) {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%04d.png", frame);
+    EXPECT_EQ(read_png(directory / "out" / name).width, 80);
+  }
+  EXPECT_TRUE(exists(directory / "out/film.png"));
+  EXPECT_EQ(count_starting(files, "", ".part"), 0);
+  EXPECT_EQ(count_starting(files, "final", ""), 0) << "there is no last state to go on from";
+
+  EXPECT_NEAR(try_h, 0.8 * h_crit, 0.05 * h_crit);
+  Arguments advised = with_h(try_h, "advised");
+  advised.push_back("--no-pictures");
+  expect_done(advised);
+}
+
+TEST_P(StopsTest, ctrl_c_finishes_the_log_the_film_and_the_last_state) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::filesystem::remove_all(directory / "out");
+    Running running(GetParam().path,
+                    {"--end", "1000", "--frames", "100000", "--size", "80x45", "--out", "out"},
+                    directory);
+    ASSERT_TRUE(running.wait_for_output("frame 2 of", 60));
+    running.send(signal);
+    const Outcome outcome = running.wait(20);
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_EQ(outcome.err, "");
+
+    const std::vector<std::string> files = files_in(directory / "out");
+    EXPECT_EQ(count_starting(files, "", ".part"), 0);
+    const Table log = read_table(directory / "out/log.csv");
+    const size_t frames = log.at("frame").size();
+    EXPECT_GE(frames, 3u);
+    EXPECT_EQ(size_t(count_starting(files, "frame_", ".png")), frames);
+    for (size_t frame = 0; frame < frames; ++frame)
+      EXPECT_NEAR(log.at("time")[frame], 0.01 * double(frame), 0.005) << "no frame is cut short";
+    EXPECT_TRUE(exists(directory / "out/film.png"));
+    EXPECT_EQ(read_obj(directory / "out/final.obj").vertices(), 1681);
+    EXPECT_EQ(read_velocities(directory / "out/final_velocities.csv", 1681).size(), 3 * 1681);
+    const double time = number_after(outcome.out, "hold the cloth at t = ");
+    EXPECT_GE(time, log.at("time").back());
+    EXPECT_NE(outcome.out.find("stopped: "), std::string::npos) << outcome.out;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, StopsTest, testing::ValuesIn(programs()), name_of);
+INSTANTIATE_TEST_SUITE_P(Programs, ExplosionTest, testing::ValuesIn(explicit_programs()), name_of);
