@@ -1,4 +1,4 @@
-// Step 2, damping: what moves a thread's length costs energy.
+// Step 2, damping: a thread whose length changes loses energy.
 //
 // Read time_step.h first: everything that this step teaches stands there.
 #include "program/run.h"
@@ -25,7 +25,6 @@ int simulate(const Options& options) {
 }
 
 int main(int argc, char** argv) {
-  return run_program(
-      argc, argv, {"step02_damping", "the rates of stretch and shear cost energy", STEP_DIRECTORY},
-      simulate);
+  return run_program(argc, argv, {"step02_damping", "damping of stretch and shear", STEP_DIRECTORY},
+                     simulate);
 }

@@ -13,6 +13,7 @@
 // `scatter` carry it to the vertices. For a triangle the y are w_u and w_v, the columns of the
 // deformation gradient F, and weight(0, i) is the ∂w_u/∂x_i of the literature.
 #pragma once
+#include <cmath>
 #include <type_traits>
 
 #include "math/types.h"
@@ -47,8 +48,7 @@ struct Element {
 template <int N, int Y>
 Vecs<Y> gather(const Element<N, Y>& e, const VecX& x) {
   const Vec3 x0 = x.segment<3>(3 * e.vertices[0]);
-  Vecs<Y> y;
-  for (int m = 0; m < Y; ++m) y[m].setZero();
+  Vecs<Y> y = zero_vectors<Y>();
   for (int i = 1; i < N; ++i) {
     const Vec3 edge = x.segment<3>(3 * e.vertices[i]) - x0;
     for (int m = 0; m < Y; ++m) y[m] += e.weight(m, i) * edge;
@@ -74,10 +74,9 @@ void scatter(const Element<N, Y>& e, const std::type_identity_t<Vecs<Y>>& f_y, V
 //
 //   |w| = √(w·w + ε²),   n = w / |w|,   ∂n/∂w = (I − n nᵀ) / |w|
 //
-// For |w| > 0.1 this is |w| to the last digit; at w = 0 the direction is 0, and so the force is
-// finite.
+// For |w| > 0.1 this is |w| to the last digit; at w = 0 the direction is 0, and the force finite.
 struct Length {
-  static constexpr double epsilon = 1e-9;  // of the rest length
+  static constexpr double epsilon = 1e-9;  // of a thread's rest length; m for a spring
   explicit Length(const Vec3& w)
       : value(std::sqrt(w.squaredNorm() + epsilon * epsilon)), n(w / value) {}
   Mat3 second_derivative() const { return (Mat3::Identity() - n * n.transpose()) / value; }

@@ -8,7 +8,7 @@
 // y = x_0 − x_1, the only vector that a spring reads.
 struct Spring : Element<2, 1> {
   double rest_length;     // m
-  double sqrt_share = 1;  // √ of the edge's share of k: neighbours with unequal widths of cloth
+  double sqrt_share = 1;  // √s, where s k is the stiffness of this spring
 };
 
 inline Spring make_spring(int i, int j, double rest_length, double share = 1) {
@@ -20,13 +20,13 @@ inline Spring make_spring(int i, int j, double rest_length, double share = 1) {
   return s;
 }
 
-//   C = |y| − L,   ∂C/∂y = n = y/|y|,   E = k/2 (|y| − L)²
+//   C = √s (|y| − L),   ∂C/∂y = √s n,   n = y/|y|,   E = s k/2 (|y| − L)²
 inline Condition<1> elongation(const Spring& s, const Vec3& y) {
   const Length length(y);
   return {s.sqrt_share * (length.value - s.rest_length), {s.sqrt_share * length.n}, 0, true};
 }
 
-// ∂²C/∂y² = (I − n nᵀ)/|y|
+// ∂²C/∂y² = √s (I − n nᵀ)/|y|
 inline Mats<1> elongation_second(const Spring& s, const Vec3& y) {
   return {{{s.sqrt_share * Length(y).second_derivative()}}};
 }
@@ -39,6 +39,6 @@ struct Springs {
 
   template <class Act>
   void conditions(const Spring& s, const Vecs<1>& y, const Act& act) const {
-    act(*spring, elongation(s, y[0]), [&] { return elongation_second(s, y[0]); });
+    if (spring) act(*spring, elongation(s, y[0]), [&] { return elongation_second(s, y[0]); });
   }
 };

@@ -1,7 +1,6 @@
 // The few types that everything else is written in.
 #pragma once
 #include <array>
-#include <cstddef>
 #include <Eigen/Dense>
 
 using Vec2 = Eigen::Vector2d;

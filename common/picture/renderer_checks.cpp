@@ -10,7 +10,7 @@ constexpr int largest_side_anywhere = 16384;  // Mesa's limit, pixels
 constexpr int usual_supersampling = 3;
 
 [[noreturn]] void refuse(const std::string& reason) {
-  throw std::invalid_argument("picture: " + reason);
+  throw std::invalid_argument(reason);
 }
 
 std::string size_text(int width, int height) {

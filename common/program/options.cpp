@@ -49,7 +49,7 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   options.out = std::filesystem::path("out") / program.name;
 
   app.add_option("scene", options.scene, "what is simulated; the step's own scene.toml if absent")
-      ->option_text("scene.toml");
+      ->option_text("[scene.toml]");
   app.add_option("--out", options.out, "where the results go; out/" + program.name + " if absent")
       ->option_text("DIR");
   app.add_option("--frames", options.overrides.frames, "number of frames after the start")
@@ -61,7 +61,8 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   app.add_option("--end", options.overrides.end, "simulated time, s")
       ->check(positive_number)
       ->option_text("S");
-  app.add_option("--cells", options.overrides.cells, "cells of the grid along each side")
+  app.add_option("--cells", options.overrides.cells,
+                 "cells of the grid along u; along v in proportion")
       ->check(positive_integer)
       ->option_text("N");
   app.add_option("--without", options.overrides.without,
@@ -75,9 +76,9 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   app.add_flag("--wireframe", options.wireframe, "draw the triangles");
   app.add_flag("--caption", options.caption, "write the scene and the time on every picture");
   app.add_option("--strain", options.strain_scale,
-                 "colour by strain; S is the end of the scale, 0.1 for 10 %")
+                 "colour by strain; the end of the scale, 0.1 for 10 %")
       ->check(positive_number)
-      ->option_text("S");
+      ->option_text("SCALE");
   app.add_option("--export", "one mesh per frame as well; obj is the only format")
       ->check(CLI::IsMember({"obj"}))
       ->option_text("obj")

@@ -80,6 +80,7 @@ void Pictures::frame(int number_, const VecX& x, double time) {
   write_png(options.out / name, image, about(time));
   if (!options.caption)
     draw_text(image, 0.03 * width, 0.92 * height, 0.05 * height, number(time, "%.3f") + " s", ink);
+  film_end = time;
   if (!last_is_kept) strip.pop_back();
   strip.push_back(std::move(image));
   last_is_kept = on_film(number_);
@@ -93,5 +94,5 @@ void Pictures::still(const VecX& x, double time) {
 void Pictures::film() {
   if (strip.empty()) return;
   const int columns = std::min(film_columns, int(strip.size()));
-  write_png(options.out / "film.png", film_strip(strip, columns), about(scene.time.end));
+  write_png(options.out / "film.png", film_strip(strip, columns), about(film_end));
 }

@@ -23,5 +23,6 @@ class Pictures {
   Stage stage;
   mutable Renderer renderer;
   std::vector<Image> strip;  // the moments of the film so far, and the last frame
+  double film_end = 0;       // s
   bool last_is_kept = true;  // on the film, whatever comes after it
 };

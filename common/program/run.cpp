@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -73,9 +74,9 @@ struct Run::Files {
 
   Files(const Options& options_, const Scene& scene_)
       : options(options_), scene(scene_), start(energies(scene.cloth, scene.start)),
-        scale(energy_scale(scene, start)), log(options.out / "log.csv", columns(start)),
-        progress(scene.time.steps()) {
-    if (options.pictures) pictures.emplace(options, scene);
+        scale(energy_scale(scene, start)),
+        pictures(options.pictures ? std::make_unique<Pictures>(options, scene) : nullptr),
+        log(options.out / "log.csv", columns(start)), progress(scene.time.steps()) {
     const double moment = scene.camera.still.value_or(scene.time.end);
     still_frame = int(std::lround(std::min(1.0, moment / scene.time.end) * scene.time.frames));
   }
@@ -98,9 +99,11 @@ struct Run::Files {
                   time(), seen.c_str());
     std::string message = text;
     if (h_crit > 0)
-      std::snprintf(text, sizeof text,
-                    "h = %g s is %.2f of the stable step: try --h %.2g, a smaller k or fewer cells",
-                    scene.time.h, scene.time.h / h_crit, 0.8 * h_crit);
+      std::snprintf(
+          text, sizeof text,
+          "h = %g s is %.2f of the stable step: try --h %.2g, a smaller k or fewer cells",
+          scene.time.h, scene.time.h / h_crit,
+          scene.time.h > h_crit ? 0.8 * h_crit : std::min(0.8 * h_crit, 0.5 * scene.time.h));
     else
       std::snprintf(text, sizeof text, "try a smaller h than %g s", scene.time.h);
     throw std::runtime_error(message + text);
@@ -110,9 +113,9 @@ struct Run::Files {
   const Scene& scene;
   Energies start;
   double scale;  // J
+  std::unique_ptr<Pictures> pictures;
   Log log;
   Progress progress;
-  std::optional<Pictures> pictures;
   int still_frame;
   int look_every = options.concepts.implicit ? 1 : explicit_looks;
 
@@ -125,7 +128,6 @@ struct Run::Files {
 
 Run::Run(const Options& options, const Scene& scene) {
   require_writable(options.out);
-  stop_on_ctrl_c();
   files = std::make_unique<Files>(options, scene);
   std::printf("%s: %s, %d vertices, %zu triangles, h = %g s, %ld steps to t = %g s\n",
               options.program.c_str(), scene.file.string().c_str(), scene.cloth.vertices(),
@@ -141,11 +143,15 @@ long Run::steps() const {
 void Run::report_critical_step(double h_crit) {
   const double h = files->scene.time.h;
   files->h_crit = h_crit;
+  if (std::isinf(h_crit)) {
+    std::printf("  every h is stable: nothing pulls back\n");
+    return;
+  }
   std::printf("  stable below h_crit = %.4g s; h is %.2f of it\n", h_crit, h / h_crit);
   if (h > 0.9 * h_crit)
     std::fprintf(stderr,
                  "warning: h = %g s is beyond 0.9 h_crit: expect the cloth to %s; try --h %.2g\n",
-                 h, h > h_crit ? "explode" : "come close to exploding", 0.8 * h_crit);
+                 h, h > h_crit ? "explode" : "come to grief on the way", 0.8 * h_crit);
   std::fflush(stdout);
   files->stepping_since = Files::Clock::now();
 }
@@ -166,8 +172,9 @@ Measures Run::look(const State& state) {
   const Measures now = {energies(files->scene.cloth, state),
                         max_stretch(files->scene.mesh, state.x)};
   if (!(now.max_stretch <= exploded_stretch)) {
-    char seen[64];
-    std::snprintf(seen, sizeof seen, "a thread is %.3g times its length", now.max_stretch);
+    char seen[64] = "a thread is longer than a number can say";
+    if (std::isfinite(now.max_stretch))
+      std::snprintf(seen, sizeof seen, "a thread is %.3g times its length", now.max_stretch);
     files->explode(seen);
   }
   files->most_stretch = std::max(files->most_stretch, now.max_stretch);
@@ -178,6 +185,7 @@ Measures Run::look(const State& state) {
 }
 
 void Run::record(int frame, const State& state) {
+  if (frame == 0) stop_on_ctrl_c();  // from now on there is something to finish
   Files& r = *files;
   if (r.step != r.scene.time.step_of_frame(frame)) return;  // stopped on the way to this frame
   const double seconds = r.seconds_stepping();

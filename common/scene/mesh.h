@@ -41,5 +41,5 @@ bool has_area(const std::array<Vec2, 3>& uv);
 // twice, an edge has more than two faces, or a vertex has no face and so no mass.
 void check(const Mesh&, const std::filesystem::path& source);
 
-// 17 significant digits: what is read back is what was written.
+// 17 significant digits; what read_obj gives back differs by a last digit at most.
 void write_obj(const std::filesystem::path&, const Mesh&, const VecX& x);

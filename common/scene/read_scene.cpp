@@ -8,6 +8,7 @@
 namespace {
 
 constexpr double most_steps = 1e9;
+constexpr int most_frames = 9999;
 
 Time read_time(const SceneFile& scene) {
   const TomlTable table = scene.table("time");
@@ -17,7 +18,8 @@ Time read_time(const SceneFile& scene) {
   time.end = table.number("end", Range::positive);
   if (table.has("frames")) time.frames = table.whole_number("frames");
   if (!(time.end / time.h <= most_steps))
-    table.refuse("h", "end / h is more than 1e9 steps; take a larger h or a smaller end");
+    table.refuse("end", "end / h is more than 1e9 steps; take a larger h or a smaller end");
+  if (time.frames > most_frames) table.refuse("frames", "it must be from 1 to 9999");
   return time;
 }
 

@@ -1,6 +1,7 @@
 #include "scene/toml_reader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -49,10 +50,18 @@ std::string one_line(std::string text) {
   return text;
 }
 
+std::string shortest(double number) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
 // The value as the file has it; a long one only from its beginning.
 std::string shown(const toml::node& node) {
   std::ostringstream out;
-  node.visit([&](const auto& value) { out << value; });
+  if (const auto number = node.value_exact<double>())  // as short as the file has it
+    out << shortest(*number);
+  else
+    node.visit([&](const auto& value) { out << value; });
   const std::string all = one_line(out.str());
   return all.size() <= 60 ? all : all.substr(0, 57) + "...";
 }
