@@ -111,13 +111,14 @@ inline double potential(const Cloth& cloth, double h, const VecX& v, System& sys
 }
 
 // Newton's method on Φ from v = 0: A is its second derivative, b = −Φ', and the first step taken
-// whole is the plain step below. A step too long is halved until Φ falls; bᵀΔv is left to gain.
+// whole is the plain step below. A step too long is halved until Φ falls. bᵀΔv is left to gain;
+// 1e-8 of the first one (Δv: 1e-4 of the first) is enough.
 inline void newton_step(const Cloth& cloth, double h, State& state, System& system) {
   VecX &v = system.v, &b = system.b;
   system.start = state;
   system.trial = {state.x, v.setZero()};  // at rest: the damping force is D v
-  bool converged = false;
-  for (int iteration = 0; iteration < system.method.newton && !converged; ++iteration) {
+  double first = 0, left = 1;
+  for (int iteration = 0; iteration < system.method.newton && left > 1e-8; ++iteration) {
     forces(cloth, system.trial, system);
     if (iteration == 0) system.D_start = system.D;
     system.D = system.D_start;
@@ -125,6 +126,7 @@ inline void newton_step(const Cloth& cloth, double h, State& state, System& syst
     b = cloth.mass.cwiseProduct(system.start.v - v) + h * (system.f + system.Dv);
     solve(cloth, h, system);
     const double gain = b.dot(system.dv), Phi = potential(cloth, h, v, system);
+    if (iteration == 0) first = std::abs(gain);
     const double scale = std::abs(Phi) + 0.5 * system.start.v.cwiseAbs2().dot(cloth.mass);
     double step = gain < 0 ? -1 : 1;  // downhill, whatever A is
     while (std::abs(gain) > 1e-12 * scale && std::abs(step) > 1e-12 &&
@@ -132,9 +134,9 @@ inline void newton_step(const Cloth& cloth, double h, State& state, System& syst
       step /= 2;
     v += step * system.dv;
     system.trial.x = system.start.x + h * v;
-    converged = std::abs(gain) <= 1e-20 * scale;
+    left = std::abs(gain) / (first + 1e-12 * scale);
   }
-  if (!converged) ++system.unconverged;
+  if (left > 1e-8) ++system.unconverged;
   state = {system.trial.x, v};
 }
 

@@ -78,6 +78,7 @@ class SparseLdlt : public DirectSolver {
   bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
     free.copy(A);
     ldlt.factorize(free.values);
+    dv.setZero();
     if (ldlt.info() == Eigen::Success) free.extend(ldlt.solve(free.restrict(b)), dv);
     return ldlt.info() == Eigen::Success && (ldlt.vectorD().array() > 0).all();
   }
@@ -118,17 +119,25 @@ class DenseInverse : public DirectSolver {
 class Cholmod : public DirectSolver {
  public:
   Cholmod(const BlockMatrix& pattern, const VecX& inverse_mass) : free(pattern, inverse_mass) {
+    cholesky.cholmod().print = 0;
     cholesky.analyzePattern(free.values);
   }
   bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
     free.copy(A);
     cholesky.factorize(free.values);
-    if (cholesky.info() != Eigen::Success) return false;
-    free.extend(cholesky.solve(free.restrict(b)), dv);
-    return true;
+    const bool definite = cholesky.info() == Eigen::Success;
+    const VecX rest = free.restrict(b);
+    free.extend(definite ? VecX(cholesky.solve(rest)) : indefinite(rest), dv);
+    return definite;
   }
 
  private:
+  // Cholesky has no factors of an indefinite matrix; LDLᵀ has.
+  VecX indefinite(const VecX& b) const {
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper> ldlt(free.values);
+    return ldlt.info() == Eigen::Success ? VecX(ldlt.solve(b)) : VecX::Zero(b.size());
+  }
+
   FreeMatrix free;
   Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Upper> cholesky;
 };

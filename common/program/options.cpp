@@ -121,6 +121,9 @@ int run_program(int argc, char** argv, const Program& program,
   } catch (const BadInput& error) {
     std::cerr << error.what() << "\n";
     return 2;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << program.name << ": " << one_line(error.what()) << "\n";
+    return 2;
   } catch (const std::bad_alloc&) {
     std::cerr << program.name << ": not enough memory for this cloth; take fewer cells\n";
     return 2;

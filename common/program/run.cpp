@@ -105,7 +105,10 @@ struct Run::Files {
           scene.time.h, scene.time.h / h_crit,
           scene.time.h > h_crit ? 0.8 * h_crit : std::min(0.8 * h_crit, 0.5 * scene.time.h));
     else
-      std::snprintf(text, sizeof text, "try a smaller h than %g s", scene.time.h);
+      std::snprintf(
+          text, sizeof text, "try %s, or a smaller h than %g s",
+          options.method.jacobian == Jacobian::bw98 ? "--jacobian definite" : "--newton 20",
+          scene.time.h);
     throw std::runtime_error(message + text);
   }
 

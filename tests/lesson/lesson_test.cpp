@@ -1,0 +1,144 @@
+// What the lessons promise of the code: small differences between neighbours, functions that stay the
+// same byte for byte, names that exist, pictures that are there.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace {
+
+const std::filesystem::path source = SOURCE_DIRECTORY;
+
+struct Step {
+  std::string name;
+  int budget;  // changed lines of time_step.h, those that diff marks < or >
+};
+const std::vector<Step> all_steps = {{"step01_explicit", 0},
+                                     {"step02_damping", 30},
+                                     {"step03_implicit", 120},
+                                     {"step04_cg", 100},
+                                     {"step05_bend", 40}};
+
+std::vector<Step> steps() {
+  std::vector<Step> there;
+  for (const Step& step : all_steps)
+    if (exists(source / step.name / "CMakeLists.txt")) there.push_back(step);
+  return there;
+}
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  EXPECT_TRUE(file) << path << " is missing";
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+// Lines deleted plus lines added: all but the longest common subsequence, on both sides.
+int changed_lines(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  std::vector<std::vector<int>> common(a.size() + 1, std::vector<int>(b.size() + 1, 0));
+  for (size_t i = 0; i < a.size(); ++i)
+    for (size_t j = 0; j < b.size(); ++j)
+      common[i + 1][j + 1] =
+          a[i] == b[j] ? common[i][j] + 1 : std::max(common[i][j + 1], common[i + 1][j]);
+  return int(a.size() + b.size()) - 2 * common[a.size()][b.size()];
+}
+
+TEST(Lessons, NeighboursDifferByNoMoreThanTheirBudget) {
+  for (size_t s = 1; s < steps().size(); ++s) {
+    const auto of = [&](size_t step) {
+      return lines(read(source / steps()[step].name / "time_step.h"));
+    };
+    const int changed = changed_lines(of(s - 1), of(s));
+    EXPECT_LE(changed, steps()[s].budget) << steps()[s].name;
+    EXPECT_GT(changed, 0) << steps()[s].name;
+  }
+}
+
+TEST(Lessons, CountingChangesCountsThem) {
+  EXPECT_EQ(changed_lines({"a", "b", "c"}, {"a", "b", "c"}), 0);
+  EXPECT_EQ(changed_lines({"a", "b", "c"}, {"a", "x", "c", "d"}), 3);
+}
+
+// A function with the comment above it, from its first line to the brace in column 0.
+std::string function(const std::string& text, const std::string& signature) {
+  const size_t begin = text.find(signature), end = text.find("\n}\n", begin);
+  EXPECT_NE(begin, std::string::npos) << signature;
+  return begin == std::string::npos ? "" : text.substr(begin, end - begin);
+}
+
+TEST(Lessons, WhatAStepDoesNotTeachStaysByteForByte) {
+  const std::string first = read(source / "step01_explicit/time_step.h");
+  const std::string gravity = function(first, "inline void add_gravity(");
+  for (const Step& step : steps())
+    EXPECT_EQ(function(read(source / step.name / "time_step.h"), "inline void add_gravity("),
+              gravity)
+        << step.name;
+}
+
+TEST(Lessons, NoStepReadsAnotherAndNothingSharedReadsAStep) {
+  const std::regex include("#include \"[^\"]*step0[1-5]");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source)) {
+    const std::string path = relative(entry.path(), source).string();
+    const bool code = path.ends_with(".h") || path.ends_with(".cpp");
+    if (!code || !(path.starts_with("common/") || path.starts_with("step0"))) continue;
+    EXPECT_FALSE(std::regex_search(read(entry.path()), include)) << path;
+  }
+}
+
+// Every picture that a README shows and every file that it links to is there.
+TEST(Lessons, LinksAndPicturesExist) {
+  std::vector<std::filesystem::path> readmes = {source / "README.md", source / "common/README.md"};
+  for (const Step& step : steps()) readmes.push_back(source / step.name / "README.md");
+  const std::regex link("\\]\\(([^)#]+)(#[^)]*)?\\)");
+  for (const auto& readme : readmes) {
+    const std::string text = read(readme);
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it)
+      EXPECT_TRUE(exists(readme.parent_path() / (*it)[1].str())) << readme << ": " << (*it)[1];
+  }
+}
+
+// The last column of a lesson's table of equations: names of functions that exist.
+TEST(Lessons, TablesOfEquationsNameFunctionsThatExist) {
+  std::string code;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source / "common"))
+    if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
+      code += read(entry.path());
+  for (const Step& step : steps()) {
+    const std::string all = code + read(source / step.name / "time_step.h");
+    const std::regex row("\\| [^|]*\\|.*\\| ((`[^`|]+`(, )?)+) \\|"), name("`([a-z_0-9]+)[^`]*`");
+    int rows = 0;
+    const std::string text = read(source / step.name / "README.md");
+    const size_t table = text.find("| | formula | in the code |"), end = text.find("\n\n", table);
+    ASSERT_NE(table, std::string::npos) << step.name;
+    for (const std::string& line : lines(text.substr(table, end - table))) {
+      std::smatch match;
+      if (!std::regex_match(line, match, row)) continue;
+      ++rows;
+      const std::string names = match[1];
+      for (std::sregex_iterator it(names.begin(), names.end(), name), none; it != none; ++it)
+        EXPECT_NE(all.find((*it)[1].str() + "("), std::string::npos)
+            << step.name << ": " << (*it)[1];
+    }
+    EXPECT_GE(rows, 2) << step.name;
+  }
+}
+
+TEST(Lessons, ContinuousIntegrationRunsTheTestCommandOfTheReadme) {
+  int commands = 0;
+  for (const std::string& line : lines(read(source / "README.md")))
+    commands += line.starts_with("sudo ") && line.ends_with("--preset tests");
+  EXPECT_EQ(commands, 1);
+  EXPECT_NE(read(source / ".ci/run").find("eval \"${command//sudo /}\""), std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,115 @@
+// The definite matrix: whatever the cloth does, no element can make A = M − h D − h² K indefinite. What
+// an element adds to A is positive semidefinite, and a sum of such, plus M, is positive definite.
+#include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
+
+#include "dense.h"
+
+namespace {
+
+constexpr int poses = 10000;
+
+// −(h D + h² K) of one element, and its lowest eigenvalue relative to its highest.
+double lowest_eigenvalue(const Cloth& cloth, const State& state, double h, Jacobian jacobian) {
+  const Evaluated e = evaluate(cloth, state, jacobian);
+  const MatX A = -(h * e.D + h * h * e.K);
+  const VecX values = Eigen::SelfAdjointEigenSolver<MatX>(A, Eigen::EigenvaluesOnly).eigenvalues();
+  return values.minCoeff() / std::max(values.cwiseAbs().maxCoeff(), 1e-300);
+}
+
+struct Sample {
+  Cloth cloth;
+  State state;
+  double h;
+};
+
+Sample random_triangle(Random& random, int n) {
+  const Rest rest = random_rest(random);
+  Sample s;
+  s.cloth.mass = s.cloth.inverse_mass = VecX::Ones(9);
+  s.cloth.triangles.elements = {make_triangle(rest)};
+  const auto decade = [&](double low, double high) {
+    return std::pow(10, random.between(low, high));
+  };
+  s.cloth.triangles.stretch = Term{"stretch", decade(0, 8), decade(-3, 3)};
+  s.cloth.triangles.shear = Term{"shear", decade(0, 8), decade(-3, 3)};
+  const Pose pose = all_poses[size_t(n) % all_poses.size()];
+  s.state.x = positions(rest, pose_w(pose, random), random.vector(3, 1));
+  if (n % 50 == 4) s.state.x.setZero();  // all in one point
+  s.state.v = random.vector(9, 10);
+  s.h = decade(-4, 1);
+  return s;
+}
+
+TEST(Definite, NoTriangleMakesAIndefinite) {
+  Random random(91);
+  for (int n = 0; n < poses; ++n) {
+    const Sample s = random_triangle(random, n);
+    ASSERT_GE(lowest_eigenvalue(s.cloth, s.state, s.h, Jacobian::definite), -1e-12)
+        << "pose " << n << ": " << name(all_poses[size_t(n) % all_poses.size()]);
+  }
+}
+
+TEST(Definite, NoSpringMakesAIndefinite) {
+  Random random(92);
+  for (int n = 0; n < poses; ++n) {
+    Cloth cloth;
+    cloth.mass = cloth.inverse_mass = VecX::Ones(6);
+    cloth.springs.spring = Term{"spring", 100, random.between(0, 5)};
+    cloth.springs.elements = {make_spring(0, 1, random.between(0.1, 2))};
+    State state{random.vector(6, n % 2 ? 1 : 0.1), random.vector(6, 10)};
+    if (n % 100 == 0) state.x.setZero();
+    ASSERT_GE(lowest_eigenvalue(cloth, state, 0.05, Jacobian::definite), -1e-12) << "pose " << n;
+  }
+}
+
+// The test above can fail: the matrix as printed is indefinite in most of these poses.
+TEST(Definite, TheMatrixOfBaraffAndWitkinIsNot) {
+  Random random(91);
+  std::array<int, all_poses.size()> indefinite = {};
+  for (int n = 0; n < poses; ++n) {
+    const Sample s = random_triangle(random, n);
+    if (lowest_eigenvalue(s.cloth, s.state, s.h, Jacobian::bw98) < -1e-6)
+      ++indefinite[size_t(n) % all_poses.size()];
+  }
+  for (size_t i = 0; i < all_poses.size(); ++i) {
+    std::printf("%s: indefinite in %d of %d\n", name(all_poses[i]), indefinite[i],
+                poses / int(all_poses.size()));
+    EXPECT_GT(indefinite[i], poses / int(all_poses.size()) / 10) << name(all_poses[i]);
+  }
+}
+
+// It gives away no more than it must: −K lies below the full one nowhere for a stretched thread.
+TEST(Definite, KeepsAllOfAStretchedThreadAndNothingOfACompressedOne) {
+  Cloth cloth;
+  cloth.mass = cloth.inverse_mass = VecX::Ones(6);
+  cloth.springs.spring = Term{"spring", 100};
+  cloth.springs.elements = {make_spring(0, 1, 1)};
+  State state{VecX::Zero(6), VecX::Zero(6)};
+  for (const double length : {0.5, 1.5}) {
+    state.x[3] = length;
+    const MatX K = evaluate(cloth, state, Jacobian::definite).K;
+    EXPECT_NEAR(K(0, 0), -100, 1e-12);
+    EXPECT_NEAR(K(1, 1), length > 1 ? -100 * 0.5 / 1.5 : 0, 1e-12) << "length " << length;
+    EXPECT_NEAR(evaluate(cloth, state, Jacobian::bw98).K(1, 1), -100 * (length - 1) / length,
+                1e-12);
+  }
+}
+
+// A whole sheet, crumpled at random: factorised without a pivot that is not positive.
+TEST(Definite, ACrumpledSheetHasAPositiveDefiniteMatrix) {
+  Random random(93);
+  const Mesh mesh = small_grid();
+  const Cloth cloth = rich_cloth(mesh);
+  for (int n = 0; n < 200; ++n) {
+    const State state = disturbed(mesh, 2, random);
+    const Evaluated e = evaluate(cloth, state, Jacobian::definite);
+    MatX A = -(0.1 * e.D + 0.01 * e.K);
+    A.diagonal() += cloth.mass;
+    const VecX values =
+        Eigen::SelfAdjointEigenSolver<MatX>(A, Eigen::EigenvaluesOnly).eigenvalues();
+    EXPECT_GE(values.minCoeff(), cloth.mass.minCoeff() * (1 - 1e-9)) << "state " << n;
+  }
+}
+
+}  // namespace

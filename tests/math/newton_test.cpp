@@ -1,0 +1,192 @@
+// --newton N: one step as the minimum of Φ(v) = ½ |v − v0|²_M + E(x0 + h v) − h/2 vᵀ D v.
+#include <gtest/gtest.h>
+
+#include "dense.h"
+
+namespace {
+
+Method newton(int iterations, Jacobian jacobian = Jacobian::definite) {
+  Method method;
+  method.newton = iterations;
+  method.jacobian = jacobian;
+  return method;
+}
+
+// A sheet thrown about, held by two corners or by nothing, without weight.
+struct Newton : testing::Test {
+  Random random{111};
+  Mesh mesh = make_grid({1, 1}, {5, 5}, Diagonals::same);
+  Model model;
+  double h = 0.02;
+
+  void SetUp() override {
+    model.stretch = Term{"stretch", 1000};
+    model.shear = Term{"shear", 500};
+  }
+  void damp() { model.stretch->kd = 0.5, model.shear->kd = 0.2; }
+  State thrown(double size) {
+    State state = disturbed(mesh, size, random);
+    for (const int pin : model.pins) state.v.segment<3>(3 * pin).setZero();
+    return state;
+  }
+};
+
+double kinetic(const Cloth& cloth, const VecX& v) {
+  return 0.5 * v.cwiseAbs2().dot(cloth.mass);
+}
+
+// M (v − v0) − h f(x0 + h v) without the pinned vertices; with the damping as at x0.
+VecX residual(const Cloth& cloth, double h, const State& before, const State& after) {
+  const MatX D = evaluate(cloth, before, Jacobian::definite).D;
+  const VecX at_rest = VecX::Zero(after.v.size());
+  const VecX f = evaluate(cloth, {after.x, at_rest}, Jacobian::definite).f + D * after.v;
+  VecX r = cloth.mass.cwiseProduct(after.v - before.v) - h * f;
+  for (const int pin : cloth.pins) r.segment<3>(3 * pin).setZero();
+  return r;
+}
+
+// With one iteration `time_step` takes the plain step; newton_step, called with one iteration, starts
+// from v = 0 instead of v0 and must arrive at the same velocities.
+TEST_F(Newton, OneIterationTakenWholeIsThePlainStep) {
+  damp();
+  model.gravity = Vec3(0, -9.81, 0);
+  model.pins = {30, 35};
+  for (const double k : {10.0, 1e3, 1e4})
+    for (int n = 0; n < 5; ++n) {
+      model.stretch->k = k, model.shear->k = k / 2;
+      const Cloth cloth = make_cloth(mesh, model);
+      const State start = thrown(0.002);
+      State plain = start, once = start;
+      step03::System a(cloth, newton(1)), b(cloth, newton(1));
+      step03::time_step(cloth, h, plain, a);
+      step03::newton_step(cloth, h, once, b);
+      EXPECT_EQ(b.dv, once.v) << "a step that was halved";
+      EXPECT_LT((once.v - plain.v).norm(), 1e-12 * (plain.v - start.v).norm()) << "k = " << k;
+    }
+}
+
+// The state after each iteration is what a step allowed that many gives.
+TEST_F(Newton, PhiNeverRisesWithinAStep) {
+  damp();
+  model.gravity = Vec3(0, -9.81, 0);
+  for (const Jacobian jacobian : {Jacobian::definite, Jacobian::bw98})
+    for (const double size : {0.01, 0.1, 1.0}) {
+      const Cloth cloth = make_cloth(mesh, model);
+      const State start = thrown(size);
+      const MatX D = evaluate(cloth, start, jacobian).D;
+      const auto Phi = [&](const VecX& v) {
+        return kinetic(cloth, v - start.v) + potential_energy(cloth, start.x + h * v) -
+               0.5 * h * v.dot(D * v);
+      };
+      double before = Phi(VecX::Zero(start.v.size()));
+      for (int iterations = 1; iterations <= 12; ++iterations) {
+        State state = start;
+        step03::System system(cloth, newton(iterations, jacobian));
+        step03::newton_step(cloth, h, state, system);
+        const double now = Phi(state.v);
+        EXPECT_LE(now, before + 1e-12 * std::abs(before)) << iterations << " iterations";
+        before = now;
+      }
+      EXPECT_LT(before, 0.99 * Phi(VecX::Zero(start.v.size()))) << "nothing was gained";
+    }
+}
+
+// v = 0 is allowed, so Φ(v1) ≤ Φ(0):  E(x1) + ½ |v1 − v0|²_M ≤ E(x0) + ½ |v0|²_M
+TEST_F(Newton, AConvergedStepNeverGainsEnergy) {
+  for (const double step : {0.01, 0.1, 1.0, 10.0})
+    for (const double size : {0.02, 0.5}) {
+      const Cloth cloth = make_cloth(mesh, model);
+      const State start = thrown(size);
+      State state = start;
+      step03::System system(cloth, newton(2000));
+      step03::time_step(cloth, step, state, system);
+      EXPECT_EQ(system.unconverged, 0) << "h = " << step << ", " << size << " m";
+      const double before = potential_energy(cloth, start.x) + kinetic(cloth, start.v);
+      EXPECT_LE(potential_energy(cloth, state.x) + kinetic(cloth, state.v - start.v),
+                before * (1 + 1e-13))
+          << "h = " << step << ", " << size << " m";
+      EXPECT_LT(residual(cloth, step, start, state).norm(),
+                1e-3 * residual(cloth, step, start, {start.x, VecX::Zero(start.v.size())}).norm());
+    }
+}
+
+// Springs of rest length 0 are linear, f = −k (x_0 − x_1): one linearised step solves backward Euler.
+TEST_F(Newton, LinearForcesLeaveNoResidualAfterThePlainStep) {
+  Cloth cloth = make_cloth(mesh, {});
+  cloth.gravity = Vec3(0, -9.81, 0);
+  cloth.springs.spring = Term{"spring", 50};
+  for (int i = 0; i + 7 < cloth.vertices(); ++i) {
+    cloth.springs.elements.push_back(make_spring(i, i + 1, 0));
+    cloth.springs.elements.push_back(make_spring(i, i + 7, 0));
+  }
+  const State start = thrown(0.3);
+  State state = start;
+  step03::System system(cloth);
+  step03::time_step(cloth, h, state, system);
+  EXPECT_LT(residual(cloth, h, start, state).norm(),
+            1e-13 * residual(cloth, h, start, {start.x, VecX::Zero(start.v.size())}).norm());
+  EXPECT_LT((state.x - start.x - h * state.v).norm(), 1e-15);
+}
+
+// The errors |v_n − v*| of the iterations, from steps that are allowed 1, 2, 3 … of them.
+std::vector<double> errors(const Cloth& cloth, double h, const State& start, Jacobian jacobian) {
+  std::vector<int> free;
+  for (int i = 0; i < cloth.mass.size(); ++i)
+    if (cloth.inverse_mass[i] > 0) free.push_back(i);
+  const auto after = [&](int iterations) {
+    State state = start;
+    step03::System system(cloth, newton(iterations, jacobian));
+    step03::newton_step(cloth, h, state, system);
+    EXPECT_EQ(system.indefinite, 0);
+    return state.v;
+  };
+  State exact{start.x, after(4)};  // and on with dense matrices
+  for (int n = 0; n < 20; ++n) {
+    exact.x = start.x + h * exact.v;
+    const VecX r = residual(cloth, h, start, exact);
+    MatX A = -h * h * evaluate(cloth, exact, Jacobian::bw98).K;
+    A.diagonal() += cloth.mass;
+    exact.v(free) -= MatX(A(free, free)).ldlt().solve(VecX(r(free)));
+  }
+  std::vector<double> all;
+  for (int n = 1; n <= 20; ++n) all.push_back((after(n) - exact.v).norm() / exact.v.norm());
+  return all;
+}
+
+// e_{n+1} ~ e_n^p over the last step that ends a thousand times above rounding.
+double exponent(const std::vector<double>& e) {
+  size_t last = 2;
+  while (last + 1 < e.size() && e[last + 1] > 1e3 * 2.2e-16) ++last;
+  return std::log(e[last] / e[last - 1]) / std::log(e[last - 1] / e[last - 2]);
+}
+
+// Without damping the printed matrix is the full second derivative of Φ. Where that is positive
+// definite, here in a sheet that its edges hold stretched, Newton's method converges quadratically;
+// what the definite matrix leaves out, of shear, makes it linear.
+TEST_F(Newton, ConvergesQuadraticallyWithTheFullSecondDerivative) {
+  for (int i = 0; i < mesh.vertices(); ++i)  // by all edges, stretched by 10 %
+    if (i < 6 || i >= 30 || i % 6 == 0 || i % 6 == 5) model.pins.push_back(i);
+  const Cloth cloth = make_cloth(mesh, model);
+  State start = thrown(0.005);
+  start.x += 0.1 * mesh.x;
+  const auto full = errors(cloth, h, start, Jacobian::bw98);
+  const auto part = errors(cloth, h, start, Jacobian::definite);
+  std::printf("bw98:     ");
+  for (size_t n = 0; n < 4; ++n) std::printf(" %.1e", full[n]);
+  std::printf("\ndefinite: ");
+  for (size_t n = 0; n < 4; ++n) std::printf(" %.1e", part[n]);
+  std::printf("\nexponent %.2f\n", exponent(full));
+  EXPECT_GE(exponent(full), 1.7);
+  EXPECT_GT(part[2], 1e3 * full[2]);
+}
+
+// A step that has too few iterations says so.
+TEST_F(Newton, AStepThatDoesNotConvergeIsCounted) {
+  const Cloth cloth = make_cloth(mesh, model);
+  State state = thrown(0.3);
+  step03::System system(cloth, newton(2));
+  step03::time_step(cloth, h, state, system);
+  EXPECT_EQ(system.unconverged, 1);
+}
+
+}  // namespace
