@@ -37,7 +37,7 @@ double critical_step(const Cloth& cloth, const State& state, const Forces& force
   for (int iteration = 0; iteration < 2000; ++iteration) {
     const double step = reach / p.cwiseAbs().maxCoeff();
     const VecX Kp = free.cwiseProduct(difference(step * p, zero)) / step;
-    const VecX Dp = damped(cloth) ? free.cwiseProduct(difference(zero, step * p)) / step : zero;
+    const VecX Dp = free.cwiseProduct(difference(zero, step * p)) / step;
     const double pMp = p.cwiseAbs2().dot(cloth.mass);
     const double kappa = std::abs(p.dot(Kp)) / pMp, delta = std::max(0.0, p.dot(Dp) / pMp);
     if (!(kappa + delta > 0)) return std::numeric_limits<double>::infinity();
