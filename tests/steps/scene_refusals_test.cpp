@@ -105,7 +105,7 @@ TEST_F(SceneRefusals, every_value_out_of_range_or_of_another_type_is_shown_with_
       {6, "h = -0.1", "a number greater than 0"},
       {6, "h = nan", "a number greater than 0"},
       {6, "h = true", "a number greater than 0"},
-      {7, "h = 1e-10", "1e9 steps; take a larger h or a smaller end"},
+      {7, "end = 1e12", "1e9 steps; take a larger h or a smaller end"},
       {7, "end = 0", "a number greater than 0"},
       {7, "end = inf", "a number greater than 0"},
       {7, "end = 1\nframes = 0", "a whole number from 1"},
