@@ -110,9 +110,9 @@ inline double potential(const Cloth& cloth, double h, const VecX& v, System& sys
          potential_energy(cloth, system.trial.x) - 0.5 * h * v.dot(system.Dv);
 }
 
-// Newton's method on Φ from v = 0: A is its second derivative, b = −Φ', and the first step taken
-// whole is the plain step below. A step too long is halved until Φ falls. bᵀΔv is left to gain;
-// 1e-8 of the first one (Δv: 1e-4 of the first) is enough.
+// Newton's method on Φ from v = 0: A is its second derivative or the definite part, b = −Φ'. Its first
+// definite step is the plain step below. A step too long is halved until Φ falls. bᵀΔv is left to
+// gain; 1e-8 of the first one (Δv: 1e-4 of the first) is enough.
 inline void newton_step(const Cloth& cloth, double h, State& state, System& system) {
   VecX &v = system.v, &b = system.b;
   system.start = state;

@@ -91,7 +91,7 @@ class SparseLdlt : public DirectSolver {
 class DenseInverse : public DirectSolver {
  public:
   DenseInverse(const BlockMatrix& pattern, const VecX& inverse_mass) : free(pattern, inverse_mass) {
-    const double n = double(free.values.cols()), needed = 3 * 8 * n * n;  // A, its inverse, the LU
+    const double n = double(free.values.cols()), needed = 4 * 8 * n * n;  // A, LDLᵀ, LU, A⁻¹
     const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
     if (needed > 0.5 * memory) {
       char text[160];

@@ -23,9 +23,13 @@ constexpr int explicit_looks = 10;         // explicit steps between two looks a
 
 volatile std::sig_atomic_t interrupted = 0;
 
+// The first Ctrl-C ends the run after the step it is in; the second ends it at once.
 void stop_on_ctrl_c() {
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  for (const int signal : {SIGINT, SIGTERM})
+    std::signal(signal, [](int number) {
+      interrupted = 1;
+      std::signal(number, SIG_DFL);
+    });
 }
 
 void require_writable(const std::filesystem::path& directory) {
@@ -92,8 +96,11 @@ struct Run::Files {
     log.close();
   }
 
-  [[noreturn]] void explode(const std::string& seen) {
+  [[noreturn]] void explode(std::string seen, const Counters& counters) {
     close();
+    if (counters.indefinite > 0)
+      seen += ", after " + std::to_string(counters.indefinite) +
+              " steps whose matrix was not positive definite";
     char text[256];
     std::snprintf(text, sizeof text, "the cloth exploded in step %ld (t = %.6g s): %s; ", step,
                   time(), seen.c_str());
@@ -166,7 +173,7 @@ bool Run::before_frame(int frame) const {
 void Run::check(const State& state) {
   ++files->step;
   files->progress.show(files->step);
-  if (!state.x.allFinite()) files->explode("a position is not finite");
+  if (!state.x.allFinite()) files->explode("a position is not finite", counters);
   if (files->step % files->look_every == 0) look(state);
 }
 
@@ -178,7 +185,7 @@ Measures Run::look(const State& state) {
     char seen[64] = "a thread is longer than a number can say";
     if (std::isfinite(now.max_stretch))
       std::snprintf(seen, sizeof seen, "a thread is %.3g times its length", now.max_stretch);
-    files->explode(seen);
+    files->explode(seen, counters);
   }
   files->most_stretch = std::max(files->most_stretch, now.max_stretch);
   const double gain = now.energies.total() - files->start.total();

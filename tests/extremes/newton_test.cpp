@@ -1,4 +1,4 @@
-// Newton's method to its end, or 50 iterations: from every start, at every step, the total energy,
+// Newton's method to its end, or 50 iterations: from these starts, at these steps, the total energy,
 // that of gravity included, falls in each single step, to rounding.
 #include <gtest/gtest.h>
 

@@ -69,7 +69,7 @@ TEST(Lessons, CountingChangesCountsThem) {
   EXPECT_EQ(changed_lines({"a", "b", "c"}, {"a", "x", "c", "d"}), 3);
 }
 
-// A function with the comment above it, from its first line to the brace in column 0.
+// A function, from its signature to the brace in column 0.
 std::string function(const std::string& text, const std::string& signature) {
   const size_t begin = text.find(signature), end = text.find("\n}\n", begin);
   EXPECT_NE(begin, std::string::npos) << signature;
