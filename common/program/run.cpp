@@ -96,10 +96,10 @@ struct Run::Files {
     log.close();
   }
 
-  [[noreturn]] void explode(std::string seen, const Counters& counters) {
+  [[noreturn]] void explode(std::string seen, const Counters& counts) {
     close();
-    if (counters.indefinite > 0)
-      seen += ", after " + std::to_string(counters.indefinite) +
+    if (counts.indefinite > 0)
+      seen += ", after " + std::to_string(counts.indefinite) +
               " steps whose matrix was not positive definite";
     char text[256];
     std::snprintf(text, sizeof text, "the cloth exploded in step %ld (t = %.6g s): %s; ", step,
