@@ -1,41 +1,9 @@
-// A time step allocates nothing. Whatever allocates here is counted: C++ through operator new,
-// Eigen through the check that it makes before each of its own allocations. So this program stands
-// alone.
-namespace {
-int allocations = 0;
-}
-#define EIGEN_RUNTIME_NO_MALLOC
-#define eigen_assert(condition) (static_cast<bool>(condition) ? void() : void(++allocations))
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <new>
+// A time step allocates nothing.
+#include "count_allocations.h"  // before Eigen
 
 #include "step01_explicit/time_step.h"
 
-// Not inlined: g++ would see free() meet the new of the library, and warn.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-
 namespace {
-
-template <class Work>
-int allocations_in(const Work& work) {
-  const int before = allocations;
-  Eigen::internal::set_is_malloc_allowed(false);
-  work();
-  Eigen::internal::set_is_malloc_allowed(true);
-  return allocations - before;
-}
 
 // A square of two triangles and a spring, one vertex pinned.
 Cloth small_cloth() {

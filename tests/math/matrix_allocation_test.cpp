@@ -1,40 +1,11 @@
-// The assembly of K, D and A allocates nothing: pattern and slots were found before the first step. What
-// is counted, and how, as in allocation_test.cpp. (The factorisation that follows is the library's own.)
-namespace {
-int allocations = 0;
-}
-#define EIGEN_RUNTIME_NO_MALLOC
-#define eigen_assert(condition) (static_cast<bool>(condition) ? void() : void(++allocations))
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <new>
+// The assembly of K, D and A allocates nothing: pattern and slots were found before the first step.
+// (The factorisation that follows is the library's own.)
+#include "count_allocations.h"  // before Eigen
 
 #include "scene/make_cloth.h"
 #include "step03_implicit/time_step.h"
 
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-
 namespace {
-
-template <class Work>
-int allocations_in(const Work& work) {
-  const int before = allocations;
-  Eigen::internal::set_is_malloc_allowed(false);
-  work();
-  Eigen::internal::set_is_malloc_allowed(true);
-  return allocations - before;
-}
 
 // A sheet with springs and damping, pulled out of shape.
 struct MatrixAllocation : testing::Test {

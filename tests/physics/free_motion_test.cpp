@@ -1,8 +1,8 @@
 // A cloth that nothing holds: it falls as a stone does, and what it keeps while it spins.
 #include <gtest/gtest.h>
 
+#include "momenta.h"
 #include "reference.h"
-#include "scenes.h"
 #include "step01_explicit/time_step.h"
 
 namespace {
@@ -24,38 +24,10 @@ TEST(FreeFall, OfAFlatSheetIsTheSumOfTheSteps) {
   }
 }
 
-struct Momenta {
-  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
-  double linear_scale = 0, angular_scale = 0;  // Σ m |v| and Σ m |x × v|
-};
-
-Momenta momenta(const Cloth& cloth, const State& state) {
-  Momenta sum;
-  for (int i = 0; i < cloth.vertices(); ++i) {
-    const Vec3 x = state.x.segment<3>(3 * i), mv = cloth.mass[3 * i] * state.v.segment<3>(3 * i);
-    sum.linear += mv;
-    sum.angular += x.cross(mv);
-    sum.linear_scale += mv.norm();
-    sum.angular_scale += x.cross(mv).norm();
-  }
-  return sum;
-}
-
-// A square metre, stretched by its own spin of 6 rad/s about an oblique axis, while it drifts.
-TestScene spinning_sheet() {
-  TestScene scene = sheet(5, Held::free, 100, 50, Gravity::off);
-  const Vec3 spin = 6 * Vec3(1, 4, 2).normalized(), centre(0.5, 0, -0.5), drift(0.3, -0.2, 0.5);
-  for (int i = 0; i < scene.cloth.vertices(); ++i)
-    scene.start.v.segment<3>(3 * i) =
-        drift + spin.cross(Vec3(scene.start.x.segment<3>(3 * i) - centre));
-  scene.end = 0.3;
-  return scene;
-}
-
 // Forces in pairs keep Σ m v. That the torques cancel keeps Σ m x × v as well: v_{n+1} moves x along
 // itself, and v × v = 0. Other methods, backward Euler among them, lose angular momentum.
 TEST(FreeSpin, KeepsLinearAndAngularMomentum) {
-  const TestScene scene = spinning_sheet();
+  const TestScene scene = thrown_sheet();
   step01::System system(scene.cloth);
   const Stepper step = stepper(scene.cloth, step01::time_step, system);
   const Momenta before = momenta(scene.cloth, scene.start);
