@@ -10,4 +10,8 @@ struct Method {
   Jacobian jacobian = Jacobian::definite;
   int newton = 1;               // Newton iterations per step at most; 1 is the plain step
   std::string solver = "ldlt";  // or "inverse", "cholmod"
+
+  std::string preconditioner = "block";  // or "none", "jacobi", "ic", "multigrid"
+  double tolerance = 1e-4;               // of conjugate gradients: |r| / |r at the start|
+  int max_iterations = 10000;            // in one system
 };

@@ -98,6 +98,20 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
     app.add_option("--solver", options.method.solver, "of the linear system; ldlt if absent")
         ->check(CLI::IsMember({"ldlt", "inverse", "cholmod"}))
         ->option_text("ldlt|inverse|cholmod");
+  if (program.concepts.iterative) {
+    app.add_option("--preconditioner", options.method.preconditioner,
+                   "of conjugate gradients; block if absent")
+        ->check(CLI::IsMember({"none", "jacobi", "block", "ic", "multigrid"}))
+        ->option_text("none|jacobi|block|ic|multigrid");
+    app.add_option("--tolerance", options.method.tolerance,
+                   "of conjugate gradients, relative to the residual at the start; 1e-4 if absent")
+        ->check(positive_number)
+        ->option_text("E");
+    app.add_option("--max-iterations", options.method.max_iterations,
+                   "of conjugate gradients in one system; 10000 if absent")
+        ->check(positive_integer)
+        ->option_text("N");
+  }
   app.set_version_flag("--version", program.name + " (Large Steps " LARGE_STEPS_VERSION ")");
 }
 

@@ -10,8 +10,9 @@
 
 // What a step has the concept of; each brings its options.
 struct Concepts {
-  bool implicit = false;  // --jacobian, --newton
-  bool direct = false;    // --solver
+  bool implicit = false;   // --jacobian, --newton
+  bool direct = false;     // --solver
+  bool iterative = false;  // --preconditioner, --tolerance, --max-iterations
 };
 
 // A step, as its main.cpp names it.

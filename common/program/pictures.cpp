@@ -17,7 +17,7 @@ Surface surface_of(const Scene& scene, double size) {
   surface.faces = scene.mesh.faces;
   surface.texture = scene.mesh.rest;
   surface.checker = size / 10;
-  surface.pins = scene.cloth.pins;
+  for (const Pin& pin : scene.cloth.pins) surface.pins.push_back(pin.vertex);
   return surface;
 }
 

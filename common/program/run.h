@@ -9,7 +9,8 @@
 // How the steps of a run went; each is a column of log.csv.
 struct Counters {
   long iterations = 0;  // of the linear solver
-  long indefinite = 0;  // steps with pᵀAp ≤ 0 or a pivot that is not positive
+  long indefinite = 0;  // systems with pᵀAp ≤ 0 or a pivot that is not positive
+  long capped = 0;      // systems in which the linear solver reached its most iterations
   long gained = 0;  // looked-at steps with more energy than the start, by over 1e-3 of its scale
   long unconverged = 0;  // steps whose Newton iteration did not converge
 };

@@ -18,13 +18,16 @@ Box box_of(const VecX& x) {
 // side as it starts on this one, or all around if it is given a velocity.
 Box swing(const Scene& scene, const Box& start) {
   Box pins;
-  for (int p : scene.cloth.pins) pins.extend(scene.start.x.segment<3>(3 * p));
+  for (const Pin& pin : scene.cloth.pins)
+    for (const double t : {0.0, scene.time.end})
+      pins.extend(Vec3(scene.start.x.segment<3>(3 * pin.vertex) + t * pin.velocity));
   double reach = 0;
   for (int i = 0; i < scene.cloth.vertices(); ++i) {
     double nearest = 1e300;
-    for (int p : scene.cloth.pins)
-      nearest = std::min(
-          nearest, (scene.start.x.segment<3>(3 * i) - scene.start.x.segment<3>(3 * p)).norm());
+    for (const Pin& pin : scene.cloth.pins) {
+      const Vec3 x_pin = scene.start.x.segment<3>(3 * pin.vertex);
+      nearest = std::min(nearest, (scene.start.x.segment<3>(3 * i) - x_pin).norm());
+    }
     reach = std::max(reach, nearest);
   }
   Box box = start;

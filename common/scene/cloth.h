@@ -3,17 +3,20 @@
 #pragma once
 #include <optional>
 
+#include "math/grid.h"
+#include "math/pin.h"
 #include "math/spring.h"
 #include "math/triangle.h"
 
 struct Cloth {
   VecX mass;                    // kg, one entry per coordinate
-  VecX inverse_mass;            // 1/kg, zero where a pin holds the vertex
-  std::vector<int> pins;        // vertices that do not move
+  VecX inverse_mass;            // 1/kg, zero where a pin holds all of the vertex
+  std::vector<Pin> pins;        // at most one to a vertex
   std::optional<Vec3> gravity;  // m/s²
 
   Triangles triangles;
   Springs springs;
+  std::optional<Grid> grid;  // of a cloth that is one
 
   int vertices() const { return int(mass.size()) / 3; }
 };

@@ -22,6 +22,7 @@ Mesh make_grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diag
   };
 
   Mesh mesh;
+  mesh.grid = Grid{cells, diagonals};
   mesh.x.resize(3 * row * (ny + 1));
   for (int i = 0; i < mesh.vertices(); ++i)
     mesh.x.segment<3>(3 * i) = Vec3(uv(i).x(), 0, -uv(i).y());

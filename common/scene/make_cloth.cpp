@@ -17,9 +17,10 @@ VecX vertex_masses(const Mesh& mesh, double density) {
 }
 
 // A vertex of infinite mass: no force moves it.
-VecX inverse_masses(const VecX& mass, const std::vector<int>& pins) {
+VecX inverse_masses(const VecX& mass, const std::vector<Pin>& pins) {
   VecX inverse = mass.cwiseInverse();
-  for (const int pin : pins) inverse.segment<3>(3 * pin).setZero();
+  for (const Pin& pin : pins)
+    if (pin.holds_all()) inverse.segment<3>(3 * pin.vertex).setZero();
   return inverse;
 }
 
@@ -31,6 +32,7 @@ Cloth make_cloth(const Mesh& mesh, const Model& model) {
   cloth.inverse_mass = inverse_masses(cloth.mass, model.pins);
   cloth.pins = model.pins;
   cloth.gravity = model.gravity;
+  cloth.grid = mesh.grid;
   cloth.triangles.stretch = model.stretch;
   cloth.triangles.shear = model.shear;
   if (model.stretch || model.shear) {

@@ -5,8 +5,8 @@
 
 // What a scene names. An absent term costs nothing: no element, no array, no arithmetic.
 struct Model {
-  double density = 0.2;              // kg/m²
-  std::vector<int> pins = {};        // vertices
+  double density = 0.2;  // kg/m²
+  std::vector<Pin> pins = {};
   std::optional<Term> stretch = {};  // N/m
   std::optional<Term> shear = {};
   std::optional<Vec3> gravity = {};  // m/s²

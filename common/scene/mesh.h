@@ -1,28 +1,24 @@
 // The cloth as geometry: faces, the rest shape of each, and where the vertices lie.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "math/grid.h"
 #include "math/types.h"
 
 struct Mesh {
   std::vector<Face> faces;
   std::vector<std::array<Vec2, 3>>
-      rest;  // m, (u, v) per face corner: one vertex of a seam has several
-  VecX x;    // m, as the grid is laid or the file says
+      rest;                       // m, (u, v) per face corner: one vertex of a seam has several
+  VecX x;                         // m, as the grid is laid or the file says
+  std::optional<Grid> grid = {};  // of a mesh that make_grid made
 
   int vertices() const { return int(x.size()) / 3; }
 };
 
-enum class Diagonals { same, alternating };
-
-// A grid of cells_x × cells_y cells on size_x × size_y m. Vertex number j (cells_x + 1) + i has
+// A grid (math/grid.h) of cells_x × cells_y cells on size_x × size_y m. Its vertex (i, j) has
 // (u, v) = (i size_x / cells_x, j size_y / cells_y) and lies at (u, 0, −v): horizontal, front up.
-//
-//   2---3     the triangles (0, 1, 2) and (3, 2, 1) of a cell; with alternating diagonals every
-//   | \ |     other cell has (0, 1, 3) and (0, 3, 2)
-//   0---1
-//
 // Throws BadInput where the machine has not enough memory for it.
 Mesh make_grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals);
 

@@ -59,14 +59,14 @@ std::vector<int> pinned(const TomlTable& cloth, const toml::node& pin, int verti
   return named_vertices(name, cloth.two_whole_numbers("cells"));
 }
 
-std::vector<int> read_pins(const TomlTable& cloth, int vertices) {
+std::vector<Pin> read_pins(const TomlTable& cloth, int vertices) {
   std::vector<int> pins;
-  if (!cloth.has("pins")) return pins;
+  if (!cloth.has("pins")) return {};
   for (const toml::node& pin : cloth.list("pins", "a list, like [\"top left\", \"top right\"]"))
     for (const int vertex : pinned(cloth, pin, vertices)) pins.push_back(vertex);
   std::sort(pins.begin(), pins.end());
   pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
-  return pins;
+  return {pins.begin(), pins.end()};
 }
 
 }  // namespace

@@ -84,12 +84,16 @@ VecX start_velocities(const TomlTable& start, const Cloth& cloth, const VecX& x)
 }  // namespace
 
 State read_start(const SceneFile& scene, const Geometry& geometry, const Cloth& cloth) {
-  if (!scene.has("start")) return {geometry.mesh.x, VecX::Zero(geometry.mesh.x.size())};
-  const TomlTable start = scene.table("start");
-  start.allow_only({"shape", "positions", "velocity", "spin", "velocities"});
-  State state;
-  state.x = start_positions(start, geometry);
-  state.v = start_velocities(start, cloth, state.x);
-  for (const int pin : cloth.pins) state.v.segment<3>(3 * pin).setZero();
+  State state = {geometry.mesh.x, VecX::Zero(geometry.mesh.x.size())};
+  if (scene.has("start")) {
+    const TomlTable start = scene.table("start");
+    start.allow_only({"shape", "positions", "velocity", "spin", "velocities"});
+    state.x = start_positions(start, geometry);
+    state.v = start_velocities(start, cloth, state.x);
+  }
+  for (const Pin& pin : cloth.pins) {
+    auto v = state.v.segment<3>(3 * pin.vertex);
+    v = pin.S * v.eval() + pin.velocity;
+  }
   return state;
 }

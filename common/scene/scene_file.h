@@ -27,7 +27,7 @@ class SceneFile {
 struct Geometry {
   Mesh mesh;
   std::optional<Vec2> grid_size;  // m; absent for a mesh from a file
-  std::vector<int> pins;
+  std::vector<Pin> pins;
 };
 Geometry read_geometry(const SceneFile&);
 State read_start(const SceneFile&, const Geometry&, const Cloth&);

@@ -30,7 +30,7 @@ struct Scene {
     Random random(121);
     state = {mesh.x + random.vector(int(mesh.x.size()), 0.1 / n),
              random.vector(int(mesh.x.size()), 0.1)};
-    for (const int pin : model.pins) state.v.segment<3>(3 * pin).setZero();
+    for (const Pin& pin : model.pins) state.v.segment<3>(3 * pin.vertex).setZero();
   }
   double triangles() const { return double(mesh.faces.size()); }
 
@@ -137,7 +137,7 @@ VecX step_from_triplets(FromTriplets& way) {
   way.A.prune([&](Eigen::Index r, Eigen::Index c, double) {
     return r == c || (way.scene.cloth.inverse_mass[r] > 0 && way.scene.cloth.inverse_mass[c] > 0);
   });
-  for (const int pin : way.scene.cloth.pins) b.segment<3>(3 * pin).setZero();
+  for (const Pin& pin : way.scene.cloth.pins) b.segment<3>(3 * pin.vertex).setZero();
   Eigen::SimplicialLDLT<Sparse> ldlt(way.A);
   return ldlt.solve(b);
 }

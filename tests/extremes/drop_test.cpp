@@ -9,7 +9,7 @@ TEST(Drop, TheStaticStretchIsThatOfAnEquilibrium) {
     const TestScene scene = dropped(k);
     step03::System system(scene.cloth);
     step03::forces(scene.cloth, hanging(scene), system);
-    for (int pin : scene.cloth.pins) system.f.segment<3>(3 * pin).setZero();
+    for (const Pin& pin : scene.cloth.pins) system.f.segment<3>(3 * pin.vertex).setZero();
     const double weight = scene.cloth.mass.sum() / 3 * g;
     EXPECT_LT(system.f.lpNorm<Eigen::Infinity>(), 1e-6 * weight) << "k = " << k;
   }

@@ -30,8 +30,8 @@ inline TestScene tangled(double k) {
   TestScene scene = dropped(k);
   std::mt19937 random(1);  // the same numbers everywhere
   for (double& coordinate : scene.start.x) coordinate = double(random()) / 4294967296.0;
-  for (int pin : scene.cloth.pins)
-    scene.start.x.segment<3>(3 * pin) = scene.mesh.x.segment<3>(3 * pin);
+  for (const Pin& pin : scene.cloth.pins)
+    scene.start.x.segment<3>(3 * pin.vertex) = scene.mesh.x.segment<3>(3 * pin.vertex);
   return scene;
 }
 

@@ -26,7 +26,7 @@ struct Newton : testing::Test {
   void damp() { model.stretch->kd = 0.5, model.shear->kd = 0.2; }
   State thrown(double size) {
     State state = disturbed(mesh, size, random);
-    for (const int pin : model.pins) state.v.segment<3>(3 * pin).setZero();
+    for (const Pin& pin : model.pins) state.v.segment<3>(3 * pin.vertex).setZero();
     return state;
   }
 };
@@ -41,7 +41,7 @@ VecX residual(const Cloth& cloth, double h, const State& before, const State& af
   const VecX at_rest = VecX::Zero(after.v.size());
   const VecX f = evaluate(cloth, {after.x, at_rest}, Jacobian::definite).f + D * after.v;
   VecX r = cloth.mass.cwiseProduct(after.v - before.v) - h * f;
-  for (const int pin : cloth.pins) r.segment<3>(3 * pin).setZero();
+  for (const Pin& pin : cloth.pins) r.segment<3>(3 * pin.vertex).setZero();
   return r;
 }
 

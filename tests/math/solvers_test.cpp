@@ -18,9 +18,9 @@ struct Solvers : testing::Test {
     model.gravity = Vec3(0, -9.81, 0);
     model.pins = {42, 48};
     state = disturbed(mesh, 0.05, random);
-    for (const int pin : model.pins) {
-      state.x.segment<3>(3 * pin) = mesh.x.segment<3>(3 * pin);
-      state.v.segment<3>(3 * pin).setZero();
+    for (const Pin& pin : model.pins) {
+      state.x.segment<3>(3 * pin.vertex) = mesh.x.segment<3>(3 * pin.vertex);
+      state.v.segment<3>(3 * pin.vertex).setZero();
     }
   }
 
@@ -89,17 +89,17 @@ TEST_F(Solvers, PinnedVerticesLeaveTheSystem) {
     step03::System system(cloth, method);
     for (int n = 0; n < 10; ++n) {
       step03::time_step(cloth, h, end, system);
-      for (const int pin : model.pins) EXPECT_EQ(system.dv.segment<3>(3 * pin), Vec3::Zero());
+      for (const Pin& pin : model.pins)
+        EXPECT_EQ(system.dv.segment<3>(3 * pin.vertex), Vec3::Zero());
     }
-    for (const int pin : model.pins)
-      EXPECT_EQ(end.x.segment<3>(3 * pin), mesh.x.segment<3>(3 * pin)) << name;
+    for (const Pin& pin : model.pins)
+      EXPECT_EQ(end.x.segment<3>(3 * pin.vertex), mesh.x.segment<3>(3 * pin.vertex)) << name;
     EXPECT_GT((end.x - state.x).norm(), 0.1);
   }
 }
 
 TEST_F(Solvers, AllVerticesPinnedIsNoSystemAtAll) {
-  model.pins.resize(size_t(mesh.vertices()));
-  for (int i = 0; i < mesh.vertices(); ++i) model.pins[size_t(i)] = i;
+  for (int i = 0; i < mesh.vertices(); ++i) model.pins.push_back(i);
   const Cloth cloth = make_cloth(mesh, model);
   for (const char* name : {"ldlt", "inverse"}) {
     Method method;

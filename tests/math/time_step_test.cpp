@@ -91,10 +91,10 @@ TEST(Step01, PinsDoNotMove) {
   State state{mesh.x, VecX::Zero(mesh.x.size())};
   step01::System system(cloth);
   for (int i = 0; i < 1000; ++i) step01::time_step(cloth, 1e-3, state, system);
-  for (const int pin : model.pins) {
-    const Vec3 x = state.x.segment<3>(3 * pin), start = mesh.x.segment<3>(3 * pin);
-    EXPECT_EQ(x, start) << "pin " << pin;
-    EXPECT_EQ(state.v.segment<3>(3 * pin), Vec3::Zero()) << "pin " << pin;
+  for (const Pin& pin : model.pins) {
+    const Vec3 x = state.x.segment<3>(3 * pin.vertex), start = mesh.x.segment<3>(3 * pin.vertex);
+    EXPECT_EQ(x, start) << "pin " << pin.vertex;
+    EXPECT_EQ(state.v.segment<3>(3 * pin.vertex), Vec3::Zero()) << "pin " << pin.vertex;
   }
   EXPECT_GT((state.x - mesh.x).norm(), 0.1) << "nothing moved at all";
 }

@@ -29,7 +29,7 @@ TEST(HangingStrip, IsInBalanceOnTheExactCurve) {
       const TestScene scene = hanging_strip(rows, k);
       step01::System system(scene.cloth);
       step01::forces(scene.cloth, scene.start, system);
-      for (const int pin : scene.cloth.pins) system.f.segment<3>(3 * pin).setZero();
+      for (const Pin& pin : scene.cloth.pins) system.f.segment<3>(3 * pin.vertex).setZero();
       const double h = L / rows;
       system.f[3 * 0 + 1] -= density * g * h * h / 12;
       system.f[3 * (rows / 4) + 1] += density * g * h * h / 12;

@@ -30,7 +30,7 @@ inline Model model(double k_stretch, double k_shear, Gravity gravity) {
 }
 
 // The vertices for whose (u, v) `hold` is true.
-inline std::vector<int> where(const Mesh& grid, const std::function<bool(double, double)>& hold) {
+inline std::vector<Pin> where(const Mesh& grid, const std::function<bool(double, double)>& hold) {
   std::vector<int> found;
   for (int i = 0; i < grid.vertices(); ++i)
     if (hold(grid.x[3 * i], -grid.x[3 * i + 2])) found.push_back(i);
@@ -119,7 +119,8 @@ inline TestScene trampoline() {
   scene.start.x *= 1.05;
   scene.start.v = field(
       mesh, [](double u, double v) { return Vec3(0, 2 * std::sin(pi * u) * std::sin(pi * v), 0); });
-  for (const int pin : m.pins) scene.start.v.segment<3>(3 * pin).setZero();  // sin π is not 0
+  for (const Pin& pin : m.pins)
+    scene.start.v.segment<3>(3 * pin.vertex).setZero();  // sin π is not 0
   scene.end = 0.25;
   return scene;
 }

@@ -62,7 +62,7 @@ TEST(LengthwiseVibration, OfAColumnInsideTheClothIsThatOfTheChain) {
       const double omega = chain_omega(n, rows);
       const VecX inertia = omega * omega * scene.cloth.mass.cwiseProduct(p);
       VecX Kp = K * p;
-      for (const int pin : scene.cloth.pins) Kp.segment<3>(3 * pin).setZero();
+      for (const Pin& pin : scene.cloth.pins) Kp.segment<3>(3 * pin.vertex).setZero();
       EXPECT_LT((Kp - inertia).norm(), 1e-5 * inertia.norm()) << "mode " << n << " of " << rows;
     }
   }

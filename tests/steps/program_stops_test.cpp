@@ -135,7 +135,8 @@ TEST_P(StopsTest, ctrl_c_finishes_the_log_the_film_and_the_last_state) {
     EXPECT_GE(frames, 3u);
     EXPECT_EQ(size_t(count_starting(files, "frame_", ".png")), frames);
     for (size_t frame = 0; frame < frames; ++frame)
-      EXPECT_NEAR(log.at("time")[frame], 1000.0 / 9999 * double(frame), 0.006) << "no frame is cut short";
+      EXPECT_NEAR(log.at("time")[frame], 1000.0 / 9999 * double(frame), 0.006)
+          << "no frame is cut short";
     EXPECT_TRUE(exists(directory / "out/film.png"));
     EXPECT_EQ(read_obj(directory / "out/final.obj").vertices(), 1681);
     EXPECT_EQ(read_velocities(directory / "out/final_velocities.csv", 1681).size(), 3 * 1681);

@@ -1,0 +1,20 @@
+// What pins make of a matrix, where it has blocks: found once.
+#pragma once
+#include "math/block_matrix.h"
+#include "math/pin.h"
+
+class PinnedBlocks {
+ public:
+  PinnedBlocks(const BlockMatrix& pattern, const std::vector<Pin>& pins);
+
+  void cut(BlockMatrix& A) const;    // A ← S A S, where S is the identity but at the pins
+  void close(BlockMatrix& A) const;  // A ← A + I − S: definite again
+  void filter(VecX& r) const;        // r ← S r
+
+ private:
+  struct Side {
+    int slot, pin;
+  };
+  std::vector<Pin> pins;
+  std::vector<Side> left, right;  // upper blocks whose row or column is a pin's
+};

@@ -1,0 +1,27 @@
+// Preconditioners for conjugate gradients: s = T r with a symmetric positive definite T that is near
+// A⁻¹ and cheap. Each divides by an approximation of A, where pins hold by one, so that T maps what
+// the pins leave free onto itself.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "math/block_matrix.h"
+#include "math/grid.h"
+#include "math/pin.h"
+
+class Preconditioner {
+ public:
+  virtual ~Preconditioner() = default;
+
+  virtual void set(const BlockMatrix& A) = 0;      // before the solves with A
+  virtual void apply(const VecX& r, VecX& s) = 0;  // s = T r
+};
+
+// "none", "jacobi": the diagonal of A, "block": its 3 × 3 diagonal blocks, "ic": incomplete_cholesky.h,
+// "multigrid": multigrid.h. Throws std::invalid_argument for another name, and for multigrid on what is
+// not a grid that can be halved (with what to use instead).
+std::unique_ptr<Preconditioner> make_preconditioner(const std::string& name,
+                                                    const BlockMatrix& pattern,
+                                                    const std::vector<Pin>& pins,
+                                                    const std::optional<Grid>& grid);
