@@ -24,9 +24,9 @@ struct System {
   VecX f, b, dv, v, Dv;  // N, N·s, m/s, m/s, N
   BlockMatrix K, D, A;   // N/m, N·s/m, kg; D is empty without damping
   ClothSlots slots;
-  VecX r, c, q, s;  // residual, search direction, A c, T r
-  std::unique_ptr<Preconditioner> T;
-  State start, trial;  // of a Newton step
+  VecX r, c, q, s;                    // N·s, m/s, N·s, m/s: residual, direction, A c, T r
+  std::unique_ptr<Preconditioner> T;  // near A⁻¹
+  State start, trial;                 // of a Newton step
   BlockMatrix D_start;
   long indefinite = 0, unconverged = 0;  // steps: A not definite, Newton not at its end
   long iterations = 0, capped = 0;       // of conjugate gradients; systems that needed more
@@ -96,15 +96,15 @@ inline void forces(const Cloth& cloth, const State& state, System& system) {
 
 // 2. Conjugate gradients --------------------------------------------------------------------------
 
-// The filter S takes out of r what the pins hold.
+// The filter: r ← S r leaves of r what the pins leave free.
 inline void filter(const Cloth& cloth, VecX& r) {
   for (const Pin& pin : cloth.pins) {
-    auto r_i = r.segment<3>(3 * pin.vertex);
-    r_i = (pin.S * r_i).eval();
+    const Vec3 r_i = r.segment<3>(3 * pin.vertex);
+    r.segment<3>(3 * pin.vertex) = pin.S * r_i;
   }
 }
 
-// z: what v lacks of the pins' velocity in the directions that they hold, zero elsewhere.
+// z: what v lacks of the pins' velocity in the directions that they hold, zero everywhere else.
 inline void prescribe(const Cloth& cloth, const VecX& v, VecX& z) {
   z.setZero();
   for (const Pin& pin : cloth.pins) {
@@ -113,19 +113,22 @@ inline void prescribe(const Cloth& cloth, const VecX& v, VecX& z) {
   }
 }
 
-// Modified conjugate gradients (BW98): among all Δv that are z where a pin holds, the one that makes
-// ½ Δvᵀ A Δv − bᵀ Δv smallest. Its residual r = S (b − A Δv) is zero; here it is at most `tolerance`
-// of what it is for Δv = z.
+// Modified conjugate gradients (BW98): of all Δv that are z where pins hold, the one that makes
+// ½ Δvᵀ A Δv − bᵀ Δv smallest. There the residual r = S (b − A Δv) is zero; to stop, |r| has to fall
+// to `tolerance` times what it is at Δv = z. Every direction c is A-conjugate to those before it.
 inline void conjugate_gradients(const Cloth& cloth, System& system) {
   VecX &dv = system.dv, &r = system.r, &c = system.c, &q = system.q, &s = system.s;
   system.A.multiply(dv, q);  // Δv = z
   r = system.b - q;
   filter(cloth, r);
   c.setZero();
-  double delta_before = 1;
   const double enough = system.method.tolerance * r.norm();
-  for (int i = 0; !(r.norm() <= enough); ++i, ++system.iterations) {
-    if (i == system.method.max_iterations) return void(++system.capped);
+  double delta_before = 1;
+  for (int i = 0; !(r.norm() <= enough); ++i) {
+    if (i == system.method.max_iterations) {
+      ++system.capped;
+      return;
+    }
     system.T->apply(r, s);
     filter(cloth, s);
     const double delta = r.dot(s);
@@ -133,17 +136,20 @@ inline void conjugate_gradients(const Cloth& cloth, System& system) {
     system.A.multiply(c, q);
     filter(cloth, q);
     const double cAc = c.dot(q);
-    if (!(delta > 0 && cAc > 0)) return void(++system.indefinite);  // or not a number
-    const double alpha = delta / cAc;
-    dv += alpha * c;
-    r -= alpha * q;
+    if (!(delta > 0 && cAc > 0)) {  // A or T is not definite, or holds a NaN
+      ++system.indefinite;
+      return;
+    }
+    dv += delta / cAc * c;
+    r -= delta / cAc * q;
     delta_before = delta;
+    ++system.iterations;
   }
 }
 
 // 3. Time step ------------------------------------------------------------------------------------
 
-// A = M − h D − h² K, and A Δv = b with what the pins prescribe from v on.
+// A = M − h D − h² K, and A Δv = b with the change of v that the pins prescribe.
 inline void solve(const Cloth& cloth, double h, const VecX& v, System& system) {
   system.A.set_diagonal(cloth.mass);
   system.A.add(-h, system.D);
@@ -168,7 +174,7 @@ inline void newton_step(const Cloth& cloth, double h, State& state, System& syst
   VecX &v = system.v, &b = system.b;
   system.start = state;
   system.trial = {state.x, v.setZero()};  // at rest: the damping force is D v
-  prescribe(cloth, v, system.dv);
+  prescribe(cloth, v, system.dv);         // but where pins move
   v += system.dv;
   system.trial.x += h * v;
   double first = 0, left = 1;
