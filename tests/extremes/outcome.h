@@ -27,9 +27,8 @@ inline int steps_for(double seconds, double h, int fewest) {
 }
 
 // Ends early where a position is not finite.
-template <class Step>
-Outcome watch(const TestScene& scene, double h, int steps, step03::System& system,
-              const Step& step) {
+template <class System, class Step>
+Outcome watch(const TestScene& scene, double h, int steps, System& system, const Step& step) {
   Outcome o;
   o.end = scene.start;
   const double E_start = energies(scene.cloth, o.end).total();

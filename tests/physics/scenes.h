@@ -31,7 +31,7 @@ inline Model model(double k_stretch, double k_shear, Gravity gravity) {
 
 // The vertices for whose (u, v) `hold` is true.
 inline std::vector<Pin> where(const Mesh& grid, const std::function<bool(double, double)>& hold) {
-  std::vector<int> found;
+  std::vector<Pin> found;
   for (int i = 0; i < grid.vertices(); ++i)
     if (hold(grid.x[3 * i], -grid.x[3 * i + 2])) found.push_back(i);
   return found;
