@@ -1,0 +1,31 @@
+// Which triangles share an edge, and what bends there.
+#pragma once
+#include <string>
+
+#include "math/hinge.h"
+#include "math/quadratic_bend.h"
+#include "math/spring.h"
+#include "scene/mesh.h"
+
+// An edge of two faces, or of one.
+struct InteriorEdge {
+  std::array<int, 4> vertices;  // of its hinge: P0 | P1–P2 | P3
+  std::array<int, 2> faces;     // with P0, with P3
+};
+struct MeshEdges {
+  std::vector<InteriorEdge> interior;
+  int boundary = 0;  // edges of one face
+};
+
+// Flap 0 of a hinge is the one of its two faces that is listed first, as it is wound. Should the other
+// be wound against it, the hinge does not mind. On a disc V − E + F = 1, and so E = 3V − 3 − B with B
+// edges on the boundary. Throws BadInput, naming `source`, for an edge with more than two faces.
+MeshEdges find_edges(const std::vector<Face>&, const std::string& source = "mesh");
+
+// The elements of the four models (math/bend_model.h), for a rest shape that is flat.
+std::vector<Hinge> make_hinges(const Mesh&);
+std::vector<QuadraticHinge> make_quadratic_hinges(const Mesh&);
+std::vector<Spring> make_bend_springs(const Mesh&);
+
+// For a rest shape in space: the angles at rest are those at x.
+void rest_at(const VecX& x, std::vector<Hinge>&);
