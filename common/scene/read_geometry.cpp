@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "scene/memory.h"
 #include "scene/scene_file.h"
@@ -42,31 +43,57 @@ std::vector<int> named_vertices(const std::string& name, const std::array<int, 2
   return vertices;
 }
 
-// The vertices that one entry of pins names.
-std::vector<int> pinned(const TomlTable& cloth, const toml::node& pin, int vertices) {
+// The vertices that a name or a number stands for, which `table` has under `key`.
+std::vector<int> pinned(const TomlTable& cloth, const TomlTable& table, const char* key,
+                        const toml::node& pin, int vertices) {
   const std::string numbers = "a vertex number from 0 to " + std::to_string(vertices - 1);
   if (pin.is_integer()) {
     const int64_t vertex = *pin.value<int64_t>();
-    if (vertex < 0 || vertex >= vertices) cloth.refuse("pins", pin, "it must be " + numbers);
+    if (vertex < 0 || vertex >= vertices) table.refuse(key, pin, "it must be " + numbers);
     return {int(vertex)};
   }
-  if (!pin.is_string()) cloth.refuse("pins", pin, "a pin is a name or " + numbers);
+  if (!pin.is_string()) table.refuse(key, pin, "a pin is a name or " + numbers);
   const std::string name = *pin.value<std::string>();
   if (cloth.has("mesh"))
-    cloth.refuse("pins", pin, "only a grid has named corners and edges; a mesh needs " + numbers);
+    table.refuse(key, pin, "only a grid has named corners and edges; a mesh needs " + numbers);
   if (std::find(pin_names.begin(), pin_names.end(), name) == pin_names.end())
-    cloth.refuse("pins", pin, valid_names(name, pin_names) + ", or " + numbers);
+    table.refuse(key, pin, valid_names(name, pin_names) + ", or " + numbers);
   return named_vertices(name, cloth.two_whole_numbers("cells"));
 }
 
+// One entry of pins: a name or a number holds all of its vertices, a table says in what they differ.
+std::vector<Pin> read_entry(const TomlTable& cloth, const toml::node& entry, int vertices) {
+  if (!entry.is_table()) {
+    const std::vector<int> held = pinned(cloth, cloth, "pins", entry, vertices);
+    return {held.begin(), held.end()};
+  }
+  const TomlTable table = cloth.inner("pin", *entry.as_table());
+  table.allow_only({"vertex", "fix", "velocity"});
+  const toml::node& vertex = table.need("vertex", "a vertex number or a name");
+  std::vector<Pin> pins;
+  for (const int i : pinned(cloth, table, "vertex", vertex, vertices))
+    pins.push_back(read_pin(table, i));
+  return pins;
+}
+
+bool hold_the_same(const Pin& a, const Pin& b) {
+  return a.S.isApprox(b.S, 1e-12) && a.velocity.isApprox(b.velocity, 1e-12);
+}
+
 std::vector<Pin> read_pins(const TomlTable& cloth, int vertices) {
-  std::vector<int> pins;
   if (!cloth.has("pins")) return {};
-  for (const toml::node& pin : cloth.list("pins", "a list, like [\"top left\", \"top right\"]"))
-    for (const int vertex : pinned(cloth, pin, vertices)) pins.push_back(vertex);
-  std::sort(pins.begin(), pins.end());
-  pins.erase(std::unique(pins.begin(), pins.end()), pins.end());
-  return {pins.begin(), pins.end()};
+  std::map<int, Pin> pins;
+  for (const toml::node& entry : cloth.list("pins", "a list, like [\"top left\", \"top right\"]"))
+    for (const Pin& pin : read_entry(cloth, entry, vertices)) {
+      const auto [before, is_new] = pins.try_emplace(pin.vertex, pin);
+      if (!is_new && !hold_the_same(before->second, pin))
+        cloth.refuse("pins", entry,
+                     "vertex " + std::to_string(pin.vertex) +
+                         " is already pinned in another way; name it once");
+    }
+  std::vector<Pin> sorted;
+  for (const auto& [vertex, pin] : pins) sorted.push_back(pin);
+  return sorted;
 }
 
 }  // namespace

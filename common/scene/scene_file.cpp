@@ -53,7 +53,7 @@ TomlTable SceneFile::table(const std::string& name) const {
   const toml::table* table = tables[name].as_table();
   if (!table)
     throw BadInput(file.string() + ": the table [" + name + "] is missing; every scene needs it");
-  return {file, name, *table};
+  return {file, "[" + name + "]", *table};
 }
 
 // A term goes with its damping.
@@ -87,6 +87,18 @@ void SceneFile::check_tables(const std::string& program) const {
       throw BadInput(line + program + " does not model [" + name + "]; " + steps[known->step - 1] +
                      " does. --without " + name + " runs the scene without it");
   }
+  if (step < 4) check_pins(program);
+}
+
+// A pin that is a table belongs to the filter of conjugate gradients.
+void SceneFile::check_pins(const std::string& program) const {
+  const toml::array* pins = tables["cloth"]["pins"].as_array();
+  if (!pins) return;
+  for (const toml::node& pin : *pins)
+    if (pin.is_table())
+      throw BadInput(location(file, pin) + program +
+                     " does not model pins with single directions or a velocity; " + steps[3] +
+                     " does. A pin that is only a name or a number runs in every step");
 }
 
 // The values of the command line replace those of the file and are checked like them.

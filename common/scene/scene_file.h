@@ -17,6 +17,7 @@ class SceneFile {
  private:
   void take_out(const std::vector<std::string>& without);
   void check_tables(const std::string& program) const;
+  void check_pins(const std::string& program) const;
   void apply(const Overrides&);
   void apply_cells(int cells);
 
@@ -30,4 +31,5 @@ struct Geometry {
   std::vector<Pin> pins;
 };
 Geometry read_geometry(const SceneFile&);
+Pin read_pin(const TomlTable&, int vertex);  // { fix, velocity }
 State read_start(const SceneFile&, const Geometry&, const Cloth&);

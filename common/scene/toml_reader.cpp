@@ -90,8 +90,8 @@ std::string location(const std::filesystem::path& file, const toml::node& node) 
 void TomlTable::allow_only(const Names& keys) const {
   for (const auto& [key, value] : table_)
     if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
-      throw BadInput(location(file_, value) + "[" + name_ + "] has no key " +
-                     std::string(key.str()) + "; " + valid_names(key.str(), keys));
+      throw BadInput(location(file_, value) + title_ + " has no key " + std::string(key.str()) +
+                     "; " + valid_names(key.str(), keys));
 }
 
 const toml::node& TomlTable::need(std::string_view key, const std::string& what) const {
@@ -106,13 +106,12 @@ void TomlTable::refuse(std::string_view key, const std::string& must) const {
 void TomlTable::refuse(std::string_view key, const toml::node& value,
                        const std::string& must) const {
   const bool from_file = value.source().begin.line;
-  throw BadInput(location(file_, value) + "[" + name_ + "] " + std::string(key) + " = " +
-                 shown(value) + (from_file ? "" : " from the command line") +
-                 " is not valid: " + must);
+  throw BadInput(location(file_, value) + title_ + " " + std::string(key) + " = " + shown(value) +
+                 (from_file ? "" : " from the command line") + " is not valid: " + must);
 }
 
 void TomlTable::refuse_table(const std::string& must) const {
-  throw BadInput(location(file_, table_) + "[" + name_ + "] " + must);
+  throw BadInput(location(file_, table_) + title_ + " " + must);
 }
 
 double TomlTable::number(std::string_view key, Range range) const {
@@ -132,8 +131,7 @@ Vec2 TomlTable::two_numbers(std::string_view key, Range range) const {
   return v;
 }
 
-Vec3 TomlTable::three_numbers(std::string_view key) const {
-  const std::string what = "three numbers, like [0.0, 1.0, 0.0]";
+Vec3 TomlTable::three_numbers(std::string_view key, const std::string& what) const {
   const toml::node& node = need(key, what);
   Vec3 v;
   if (!read_list(node, 3, v.data(),
@@ -180,4 +178,8 @@ const toml::array& TomlTable::list(std::string_view key, const std::string& of_w
   const toml::node& node = need(key, of_what);
   if (!node.is_array()) refuse(key, node, "it must be " + of_what);
   return *node.as_array();
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) const {
+  return need(key, "text").value<std::string>();
 }

@@ -4,6 +4,7 @@
 #pragma once
 #include <toml++/toml.h>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "math/types.h"
@@ -11,11 +12,16 @@
 
 enum class Range { any, not_negative, positive };
 
-// One table of the file.
+// One table of the file; messages call it by its title, [cloth].
 class TomlTable {
  public:
-  TomlTable(const std::filesystem::path& file, const std::string& name, const toml::table& table)
-      : file_(file), name_(name), table_(table) {}
+  TomlTable(const std::filesystem::path& file, const std::string& title, const toml::table& table)
+      : file_(file), title_(title), table_(table) {}
+
+  // A table within this one: [cloth] pin.
+  TomlTable inner(const std::string& name, const toml::table& table) const {
+    return {file_, title_ + " " + name, table};
+  }
 
   bool has(std::string_view key) const { return table_.contains(key); }
   void allow_only(const Names& keys) const;
@@ -23,12 +29,15 @@ class TomlTable {
   // Each refuses a table without the key. A whole number will do for a number; nan and inf will not.
   double number(std::string_view key, Range range) const;
   Vec2 two_numbers(std::string_view key, Range range) const;
-  Vec3 three_numbers(std::string_view key) const;
+  Vec3 three_numbers(std::string_view key,
+                     const std::string& what = "three numbers, like [0.0, 1.0, 0.0]") const;
   int whole_number(std::string_view key) const;  // from 1
   std::array<int, 2> two_whole_numbers(std::string_view key) const;
   std::string one_of(std::string_view key, const Names& valid) const;
   std::filesystem::path existing_file(std::string_view key) const;  // relative to the scene's
   const toml::array& list(std::string_view key, const std::string& of_what) const;
+  const toml::node& need(std::string_view key, const std::string& what) const;  // of any type
+  std::optional<std::string> text(std::string_view key) const;  // absent where it is no text
 
   [[noreturn]] void refuse(std::string_view key, const std::string& must) const;
   [[noreturn]] void refuse(std::string_view key, const toml::node& value,
@@ -36,10 +45,8 @@ class TomlTable {
   [[noreturn]] void refuse_table(const std::string& must) const;
 
  private:
-  const toml::node& need(std::string_view key, const std::string& what) const;
-
   const std::filesystem::path& file_;
-  std::string name_;
+  std::string title_;
   const toml::table& table_;
 };
 

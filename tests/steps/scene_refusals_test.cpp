@@ -175,6 +175,61 @@ TEST_F(SceneRefusals, pins_that_do_not_exist_are_named_with_the_valid_ones) {
   expect_says(pins("\"top\""), {"scene.toml:5: ", "a list, like [\"top left\", \"top right\"]"});
 }
 
+TEST_F(SceneRefusals, tables_of_pins_are_refused_with_what_their_keys_can_be) {
+  const auto pin = [&](const std::string& keys) {
+    return refusal(with_line(4, "density = 1\npins = [\n0, {" + keys + "}]"), "step04_cg");
+  };
+  const std::string at = "scene.toml:6: [cloth] pin ";
+  expect_says(pin("vertex = 9"), {at + "vertex = 9", "a vertex number from 0 to 8"});
+  expect_says(pin("vertex = 1.5"), {at + "vertex = 1.5", "a name or a vertex number from 0 to 8"});
+  expect_says(pin("vertex = \"tops\""), {at + "vertex = 'tops'", "did you mean \"top\"?"});
+  expect_says(pin("fix = \"x\""), {at + "needs vertex = a vertex number or a name"});
+  expect_says(pin("vertex = 4, fixx = \"x\""),
+              {at + "has no key fixx", "did you mean \"fix\"?", "vertex, fix, velocity"});
+  for (const std::string fix : {"''", "'a'", "'xx'", "'xyzx'", "'X'", "'x z'", "[0, 0, 0]",
+                                "[1, 0]", "[1, 0, nan]", "['x']", "1", "true"})
+    expect_says(pin("vertex = 4, fix = " + fix),
+                {at + "fix = ", "letters of x, y and z, each at most once",
+                 "the three numbers of one direction that is not zero, like [0, 1, 1]"});
+  for (const std::string velocity : {"1", "[1, 2]", "[0, 0, inf]", "'x'"})
+    expect_says(pin("vertex = 4, velocity = " + velocity), {at + "velocity = ", "three numbers"});
+}
+
+TEST_F(SceneRefusals, pins_cannot_move_where_they_hold_nothing) {
+  const auto pin = [&](const std::string& keys) {
+    return refusal(with_line(4, "density = 1\npins = [{vertex = 4, " + keys + "}]"), "step04_cg");
+  };
+  const std::string at = "scene.toml:5: [cloth] pin velocity = ",
+                    must =
+                        "it must lie in the directions that the pin fixes; the part that does is ";
+  expect_says(pin("fix = 'y', velocity = [1, 2, 0]"), {at + "[ 1, 2, 0 ]", must + "[0, 2, 0]"});
+  expect_says(pin("fix = 'xz', velocity = [0, 1e-3, 0]"), {at, must + "[0, 0, 0]"});
+  expect_says(pin("fix = [0, 1, 1], velocity = [0, 1, 0]"), {at, must + "[0, 0.5, 0.5]"});
+}
+
+TEST_F(SceneRefusals, a_vertex_that_is_pinned_in_two_ways_is_named) {
+  const auto pins = [&](const std::string& list) {
+    return refusal(with_line(4, "density = 1\npins = [" + list + "]"), "step04_cg");
+  };
+  const std::string twice = "vertex 8 is already pinned in another way; name it once";
+  expect_says(pins("8,\n{vertex = 8, fix = 'x'}"), {"scene.toml:6: [cloth] pins = ", twice});
+  expect_says(pins("{vertex = 8, fix = 'x'}, 'top'"), {"[cloth] pins = 'top'", twice});
+  expect_says(pins("{vertex = 8, fix = 'x'}, {vertex = 'right', fix = 'y'}"), {twice});
+  expect_says(pins("{vertex = 8, velocity = [1, 0, 0]}, {vertex = 8, velocity = [2, 0, 0]}"),
+              {twice});
+}
+
+TEST_F(SceneRefusals, tables_of_pins_belong_to_step04_on) {
+  const std::string pinned = with_line(4, "density = 1\npins = [0,\n{vertex = 4}]");
+  for (const std::string program : {"step01_explicit", "step02_damping", "step03_implicit"})
+    EXPECT_EQ(refusal(pinned, program),
+              "scene.toml:6: " + program +
+                  " does not model pins with single directions or a velocity; step04_cg does. "
+                  "A pin that is only a name or a number runs in every step");
+  for (const std::string program : {"step04_cg", "step05_bend"})
+    EXPECT_EQ(refusal(pinned, program), "accepted");
+}
+
 TEST_F(SceneRefusals, a_mesh_has_no_named_pins_no_shape_and_no_cells) {
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const std::string mesh = "[cloth]\nmesh = \"m.obj\"\ndensity = 1\n[time]\nh = 1\nend = 1\n";

@@ -81,7 +81,13 @@ TEST_F(SceneTest, frames_are_spread_evenly_over_the_steps) {
 
 TEST_F(SceneTest, pins_are_corners_edges_and_numbers_and_each_vertex_once) {
   const auto pins = [&](const std::string& list) {
-    return read(with_line(4, "density = 1\npins = " + list)).cloth.pins;
+    std::vector<int> vertices;
+    for (const Pin& pin : read(with_line(4, "density = 1\npins = " + list)).cloth.pins) {
+      EXPECT_TRUE(pin.holds_all());
+      EXPECT_TRUE(pin.velocity.isZero(0));
+      vertices.push_back(pin.vertex);
+    }
+    return vertices;
   };
   using Pins = std::vector<int>;
   EXPECT_EQ(pins("[\"bottom left\"]"), (Pins{0}));
@@ -140,6 +146,91 @@ TEST_F(SceneTest, pinned_vertices_start_at_rest) {
                            "[start]\nvelocity = [1, 1, 1]\nspin = [1, 0, 0]\n");
   for (int i = 0; i < 9; ++i)
     EXPECT_EQ(scene.start.v.segment<3>(3 * i).isZero(0), i == 0 || i == 4) << i;
+}
+
+namespace {
+
+// The smallest scene with these pins, for a step that knows tables of them.
+std::string with_pins(const std::string& list) {
+  return with_line(4, "density = 1\npins = " + list);
+}
+
+Mat3 diagonal(double x, double y, double z) {
+  return Vec3(x, y, z).asDiagonal();
+}
+
+}  // namespace
+
+TEST_F(SceneTest, pins_fix_the_axes_of_their_letters_and_leave_the_others_free) {
+  const auto free_of = [&](const std::string& fix) {
+    return read(with_pins("[{vertex = 4" + fix + "}]"), "step04_cg").cloth.pins.at(0).S;
+  };
+  EXPECT_EQ(free_of(", fix = \"x\""), diagonal(0, 1, 1));
+  EXPECT_EQ(free_of(", fix = \"y\""), diagonal(1, 0, 1));
+  EXPECT_EQ(free_of(", fix = \"z\""), diagonal(1, 1, 0));
+  EXPECT_EQ(free_of(", fix = \"xz\""), diagonal(0, 1, 0));
+  EXPECT_EQ(free_of(", fix = \"zx\""), diagonal(0, 1, 0));
+  EXPECT_EQ(free_of(", fix = \"yz\""), diagonal(1, 0, 0));
+  EXPECT_EQ(free_of(", fix = \"zyx\""), diagonal(0, 0, 0));
+  EXPECT_EQ(free_of(""), diagonal(0, 0, 0)) << "all are held where nothing is said";
+}
+
+TEST_F(SceneTest, pins_fix_one_direction_whatever_its_length) {
+  const Vec3 p = Vec3(2, -1, 2) / 3, q = Vec3(1, 2, 0).normalized();  // q is across p
+  for (const char* fix : {"[2, -1, 2]", "[2e-200, -1e-200, 2e-200]", "[2e200, -1e200, 2e200]"}) {
+    const std::string list = std::string("[{vertex = 4, fix = ") + fix + "}]";
+    const Mat3 S = read(with_pins(list), "step04_cg").cloth.pins.at(0).S;
+    EXPECT_LT((S * p).norm(), 1e-15) << fix;
+    EXPECT_LT((S * q - q).norm(), 1e-15) << fix;
+    EXPECT_LT((S - (Mat3::Identity() - p * p.transpose())).norm(), 1e-15) << fix;
+  }
+}
+
+TEST_F(SceneTest, pins_that_hold_all_have_no_inverse_mass_and_the_others_have_theirs) {
+  const Cloth cloth =
+      read(with_pins("[1, {vertex = 4}, {vertex = 5, fix = \"xy\"}]"), "step04_cg").cloth;
+  ASSERT_EQ(cloth.pins.size(), 3u);
+  for (const int vertex : {1, 4})
+    EXPECT_TRUE(cloth.inverse_mass.segment<3>(3 * vertex).isZero(0)) << vertex;
+  EXPECT_EQ(cloth.inverse_mass[15], 1 / cloth.mass[15]);
+}
+
+TEST_F(SceneTest, pins_of_an_edge_share_what_its_table_says) {
+  const Scene scene =
+      read(with_pins("[8, {vertex = 'left', fix = 'yz', velocity = [0, 0.5, -0.25]}]") +
+               "[start]\nvelocity = [1, 2, 3]\n",
+           "step04_cg");
+  ASSERT_EQ(scene.cloth.pins.size(), 4u);
+  for (const int row : {0, 1, 2}) {
+    const Pin& pin = scene.cloth.pins[size_t(row)];
+    EXPECT_EQ(pin.vertex, 3 * row);
+    EXPECT_EQ(pin.S, diagonal(1, 0, 0));
+    EXPECT_EQ(pin.velocity, Vec3(0, 0.5, -0.25));
+    EXPECT_EQ(scene.start.v.segment<3>(9 * row), Vec3(1, 0.5, -0.25))
+        << "it starts as it is held, and moves freely along x";
+  }
+  EXPECT_EQ(scene.cloth.pins[3].vertex, 8);
+  EXPECT_TRUE(scene.cloth.pins[3].holds_all());
+  EXPECT_EQ(scene.start.v.segment<3>(24), Vec3::Zero());
+  EXPECT_EQ(scene.start.v.segment<3>(12), Vec3(1, 2, 3));
+}
+
+TEST_F(SceneTest, pins_move_along_the_direction_that_they_fix) {
+  const std::string list = "[{vertex = 4, fix = [1, 2, 2], velocity = [0.1, 0.2, 0.2]}]";
+  const Pin pin = read(with_pins(list), "step04_cg").cloth.pins.at(0);
+  EXPECT_LT((pin.velocity - Vec3(0.1, 0.2, 0.2)).norm(), 1e-15);
+  EXPECT_LT((pin.S * pin.velocity).norm(), 1e-16);
+}
+
+TEST_F(SceneTest, pins_named_twice_with_the_same_are_one) {
+  const std::string list =
+      "[{vertex = 'top'}, 7, {vertex = 8, fix = 'xyz', velocity = [0, 0, 0]}, "
+      "{vertex = 0, fix = 'x'}, {vertex = 0, fix = [3, 0, 0]}, "
+      "{vertex = 1, fix = [1, 2, 3]}, {vertex = 1, fix = [-10, -20, -30]}]";
+  std::vector<int> vertices;
+  for (const Pin& pin : read(with_pins(list), "step04_cg").cloth.pins)
+    vertices.push_back(pin.vertex);
+  EXPECT_EQ(vertices, (std::vector<int>{0, 1, 6, 7, 8}));
 }
 
 TEST_F(SceneTest, the_files_of_a_run_start_another_one_to_the_last_digit) {

@@ -1,0 +1,56 @@
+#include "scene/scene_file.h"
+
+namespace {
+
+const std::string fix_words =
+    "letters of x, y and z, each at most once, like \"y\" or \"xz\", or the three numbers of one "
+    "direction that is not zero, like [0, 1, 1]";
+
+// I − Σ p pᵀ over the axes p that the letters name.
+Mat3 without_axes(const TomlTable& pin, const std::string& letters) {
+  Mat3 S = Mat3::Identity();
+  for (const char letter : letters) {
+    const int axis = letter - 'x';
+    if (axis < 0 || axis > 2 || S(axis, axis) == 0) pin.refuse("fix", "it must be " + fix_words);
+    S(axis, axis) = 0;
+  }
+  if (letters.empty()) pin.refuse("fix", "it must be " + fix_words);
+  return S;
+}
+
+Mat3 without_direction(const TomlTable& pin) {
+  const Vec3 given = pin.three_numbers("fix", fix_words);
+  if (given.isZero(0)) pin.refuse("fix", "it must be " + fix_words);
+  const Vec3 p = given.stableNormalized();
+  return Mat3::Identity() - p * p.transpose();
+}
+
+Mat3 read_filter(const TomlTable& pin) {
+  if (!pin.has("fix")) return Mat3::Zero();
+  const std::optional<std::string> letters = pin.text("fix");
+  return letters ? without_axes(pin, *letters) : without_direction(pin);
+}
+
+std::string shown(const Vec3& v) {
+  char text[96];
+  std::snprintf(text, sizeof text, "[%.6g, %.6g, %.6g]", v[0], v[1], v[2]);
+  return text;
+}
+
+// What rounding has left in the free directions, 1e-6 of it, is taken out.
+Vec3 read_velocity(const TomlTable& pin, const Mat3& S) {
+  if (!pin.has("velocity")) return Vec3::Zero();
+  const Vec3 velocity = pin.three_numbers("velocity"), held = velocity - S * velocity;
+  if ((velocity - held).stableNorm() > 1e-6 * velocity.stableNorm())
+    pin.refuse(
+        "velocity",
+        "it must lie in the directions that the pin fixes; the part that does is " + shown(held));
+  return held;
+}
+
+}  // namespace
+
+Pin read_pin(const TomlTable& table, int vertex) {
+  const Mat3 S = read_filter(table);
+  return {vertex, S, read_velocity(table, S)};
+}
