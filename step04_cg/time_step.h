@@ -24,7 +24,7 @@ struct System {
   VecX f, b, dv, v, Dv;  // N, N·s, m/s, m/s, N
   BlockMatrix K, D, A;   // N/m, N·s/m, kg; D is empty without damping
   ClothSlots slots;
-  VecX r, c, q, s;                    // N·s, m/s, N·s, m/s: residual, direction, A c, T r
+  VecX r, c, q, s;                    // residual, N·s; direction, m/s; A c; T r
   std::unique_ptr<Preconditioner> T;  // near A⁻¹
   State start, trial;                 // of a Newton step
   BlockMatrix D_start;
@@ -114,24 +114,21 @@ inline void prescribe(const Cloth& cloth, const VecX& v, VecX& z) {
 }
 
 // Modified conjugate gradients (BW98): of all Δv that are z where pins hold, the one that makes
-// ½ Δvᵀ A Δv − bᵀ Δv smallest. There the residual r = S (b − A Δv) is zero; to stop, |r| has to fall
-// to `tolerance` times what it is at Δv = z. Every direction c is A-conjugate to those before it.
+// ½ Δvᵀ A Δv − bᵀ Δv smallest, where the residual r = S (b − A Δv) is zero. Every direction c is
+// A-conjugate to those before it. Enough is rᵀ T r ≤ tolerance² Δvᵀ M Δv: if T were A⁻¹, Δv would then
+// be wrong by no more than `tolerance` of itself, both measured by their kinetic energy.
 inline void conjugate_gradients(const Cloth& cloth, System& system) {
   VecX &dv = system.dv, &r = system.r, &c = system.c, &q = system.q, &s = system.s;
   system.A.multiply(dv, q);  // Δv = z
   r = system.b - q;
   filter(cloth, r);
   c.setZero();
-  const double enough = system.method.tolerance * r.norm();
   double delta_before = 1;
-  for (int i = 0; !(r.norm() <= enough); ++i) {
-    if (i == system.method.max_iterations) {
-      ++system.capped;
-      return;
-    }
+  for (int i = 0; i < system.method.max_iterations; ++i) {
     system.T->apply(r, s);
     filter(cloth, s);
-    const double delta = r.dot(s);
+    const double delta = r.dot(s), scale = dv.cwiseAbs2().dot(cloth.mass);
+    if (delta <= system.method.tolerance * system.method.tolerance * scale) return;
     c = s + delta / delta_before * c;
     system.A.multiply(c, q);
     filter(cloth, q);
@@ -145,6 +142,7 @@ inline void conjugate_gradients(const Cloth& cloth, System& system) {
     delta_before = delta;
     ++system.iterations;
   }
+  ++system.capped;
 }
 
 // 3. Time step ------------------------------------------------------------------------------------
