@@ -15,6 +15,18 @@ std::string positive_number(const std::string& text) {
   return "wants a number above 0, not \"" + text + "\"";
 }
 
+std::string below_one(const std::string& text) {
+  double number = 0;
+  if (CLI::detail::lexical_cast(text, number) && number > 0 && number < 1) return {};
+  return "wants a number above 0 and below 1, not \"" + text + "\"";
+}
+
+std::string shortest(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
+}
+
 std::string positive_integer(const std::string& text) {
   int number = 0;
   if (CLI::detail::lexical_cast(text, number) && number > 0) return {};
@@ -100,15 +112,17 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
         ->option_text("ldlt|inverse|cholmod");
   if (program.concepts.iterative) {
     app.add_option("--preconditioner", options.method.preconditioner,
-                   "of conjugate gradients; block if absent")
+                   "of conjugate gradients; " + options.method.preconditioner + " if absent")
         ->check(CLI::IsMember({"none", "jacobi", "block", "ic", "multigrid"}))
         ->option_text("none|jacobi|block|ic|multigrid");
     app.add_option("--tolerance", options.method.tolerance,
-                   "of conjugate gradients, relative to the residual at the start; 1e-4 if absent")
-        ->check(positive_number)
+                   "of conjugate gradients, the error of a solution relative to it; " +
+                       shortest(options.method.tolerance) + " if absent")
+        ->check(below_one)
         ->option_text("E");
     app.add_option("--max-iterations", options.method.max_iterations,
-                   "of conjugate gradients in one system; 10000 if absent")
+                   "of conjugate gradients in one system at most; " +
+                       std::to_string(options.method.max_iterations) + " if absent")
         ->check(positive_integer)
         ->option_text("N");
   }

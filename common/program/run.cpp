@@ -62,11 +62,22 @@ double lowest(const VecX& x) {
   return y;
 }
 
+bool pins_move(const Cloth& cloth) {
+  return std::any_of(cloth.pins.begin(), cloth.pins.end(),
+                     [](const Pin& pin) { return !pin.velocity.isZero(0); });
+}
+
+// 1 step, 2 steps.
+std::string count(long number, const std::string& thing) {
+  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
 std::vector<std::string> columns(const Energies& start) {
   std::vector<std::string> names = {"frame",         "time",  "kinetic",     "elastic",
                                     "gravitational", "total", "max_stretch", "lowest"};
   for (const auto& [term, energy] : start.by_term) names.emplace_back(term);
-  for (const char* name : {"iterations", "indefinite", "gained", "unconverged", "milliseconds"})
+  for (const char* name :
+       {"iterations", "indefinite", "capped", "gained", "unconverged", "milliseconds"})
     names.emplace_back(name);
   return names;
 }
@@ -99,8 +110,9 @@ struct Run::Files {
   [[noreturn]] void explode(std::string seen, const Counters& counts) {
     close();
     if (counts.indefinite > 0)
-      seen += ", after " + std::to_string(counts.indefinite) +
-              " steps whose matrix was not positive definite";
+      seen += ", after " +
+              count(counts.indefinite, options.concepts.iterative ? "system" : "step") +
+              " whose matrix was not positive definite";
     char text[256];
     std::snprintf(text, sizeof text, "the cloth exploded in step %ld (t = %.6g s): %s; ", step,
                   time(), seen.c_str());
@@ -112,17 +124,67 @@ struct Run::Files {
           scene.time.h, scene.time.h / h_crit,
           scene.time.h > h_crit ? 0.8 * h_crit : std::min(0.8 * h_crit, 0.5 * scene.time.h));
     else
-      std::snprintf(
-          text, sizeof text, "try %s, or a smaller h than %g s",
-          options.method.jacobian == Jacobian::bw98 ? "--jacobian definite" : "--newton 20",
-          scene.time.h);
+      std::snprintf(text, sizeof text, "try %sa smaller h than %g s", other_method().c_str(),
+                    scene.time.h);
     throw std::runtime_error(message + text);
+  }
+
+  // What of the method can be to blame for an explosion.
+  std::string other_method() const {
+    const Method& method = options.method;
+    if (method.jacobian == Jacobian::bw98) return "--jacobian definite, or ";
+    if (method.newton == 1) return "--newton 20, or ";
+    return options.concepts.iterative ? "a smaller --tolerance, or " : "";
+  }
+
+  void say_end(const Energies& end) const {
+    std::printf(
+        "%s: %ld steps in %.3g s (%.3g ms each), largest stretch %.4f, energy %.4g J at the "
+        "start, %.4g J at the end\n",
+        interrupted ? "stopped" : "done", step, seconds,
+        1000 * seconds / double(std::max(step, 1L)), most_stretch, start.total(), end.total());
+  }
+
+  void say_iterations(const Counters& counts) const {
+    if (!options.concepts.iterative) return;
+    std::printf("  %.1f iterations of conjugate gradients per %s (%s, tolerance %g)\n",
+                double(counts.iterations) / double(std::max(step, 1L)),
+                options.method.newton == 1 ? "system" : "step",
+                options.method.preconditioner.c_str(), options.method.tolerance);
+  }
+
+  // What is not fatal, but should not pass for a result unnoticed.
+  void say_doubts(const Counters& counts) const {
+    const bool iterative = options.concepts.iterative;
+    const auto doubt = [](const std::string& text) {
+      std::printf("  worth a doubt: %s\n", text.c_str());
+    };
+    if (counts.gained > 0) {
+      char text[128];
+      std::snprintf(text, sizeof text,
+                    "up to %.3g J more than at the start, %.2g of weight times size", most_gained,
+                    most_gained / scale);
+      doubt(text);
+    }
+    if (counts.indefinite > 0 && iterative)
+      doubt("conjugate gradients met pᵀAp ≤ 0, or not a number, and gave up in " +
+            count(counts.indefinite, "system"));
+    if (counts.indefinite > 0 && !iterative)
+      doubt("the matrix was not positive definite in " + count(counts.indefinite, "step"));
+    if (counts.capped > 0)
+      doubt("conjugate gradients stopped at " + count(options.method.max_iterations, "iteration") +
+            " in " + count(counts.capped, "system") +
+            ", as if the cloth were stiffer; raise --max-iterations or take another "
+            "--preconditioner");
+    if (counts.unconverged > 0)
+      doubt("Newton did not converge in " + count(counts.unconverged, "step"));
   }
 
   const Options& options;
   const Scene& scene;
   Energies start;
   double scale;  // J
+  bool pins_work = pins_move(scene.cloth);
   std::unique_ptr<Pictures> pictures;
   Log log;
   Progress progress;
@@ -190,7 +252,7 @@ Measures Run::look(const State& state) {
   files->most_stretch = std::max(files->most_stretch, now.max_stretch);
   const double gain = now.energies.total() - files->start.total();
   files->most_gained = std::max(files->most_gained, gain);
-  if (gain > 1e-3 * files->scale) ++counters.gained;
+  if (gain > 1e-3 * files->scale && !files->pins_work) ++counters.gained;
   return now;
 }
 
@@ -205,8 +267,8 @@ void Run::record(int frame, const State& state) {
   std::vector<double> row = {double(frame),        r.time(),       energy.kinetic, energy.elastic(),
                              energy.gravitational, energy.total(), stretch,        lowest(state.x)};
   for (const auto& [term, joule] : energy.by_term) row.push_back(joule);
-  for (long count :
-       {counters.iterations, counters.indefinite, counters.gained, counters.unconverged})
+  for (long count : {counters.iterations, counters.indefinite, counters.capped, counters.gained,
+                     counters.unconverged})
     row.push_back(double(count));
   row.push_back(1000 * seconds);
   r.log.row(row);
@@ -230,21 +292,9 @@ int Run::finish(const State& state) {
   write_obj(r.options.out / "final.obj", r.scene.mesh, state.x);
   write_velocities(r.options.out / "final_velocities.csv", state.v);
 
-  const Energies end = energies(r.scene.cloth, state);
-  std::printf(
-      "%s: %ld steps in %.3g s (%.3g ms each), largest stretch %.4f, energy %.4g J at the start, "
-      "%.4g J at the end\n",
-      interrupted ? "stopped" : "done", r.step, r.seconds,
-      1000 * r.seconds / double(std::max(r.step, 1L)), r.most_stretch, r.start.total(),
-      end.total());
-  if (counters.gained > 0)
-    std::printf("  worth a doubt: up to %.3g J more than at the start, %.2g of weight times size\n",
-                r.most_gained, r.most_gained / r.scale);
-  if (counters.indefinite > 0)
-    std::printf("  worth a doubt: the matrix was not positive definite in %ld steps\n",
-                counters.indefinite);
-  if (counters.unconverged > 0)
-    std::printf("  worth a doubt: Newton did not converge in %ld steps\n", counters.unconverged);
+  r.say_end(energies(r.scene.cloth, state));
+  r.say_iterations(counters);
+  r.say_doubts(counters);
   std::printf("  see %s\n",
               (r.pictures ? r.options.out / "film.png" : r.options.out / "log.csv").c_str());
   if (!interrupted) return 0;

@@ -11,7 +11,8 @@ struct Counters {
   long iterations = 0;  // of the linear solver
   long indefinite = 0;  // systems with pᵀAp ≤ 0 or a pivot that is not positive
   long capped = 0;      // systems in which the linear solver reached its most iterations
-  long gained = 0;  // looked-at steps with more energy than the start, by over 1e-3 of its scale
+  long gained = 0;  // looked-at steps with more energy than the start, by over 1e-3 of its scale;
+                    // not counted where a pin moves, which does work
   long unconverged = 0;  // steps whose Newton iteration did not converge
 };
 

@@ -173,6 +173,16 @@ TEST_P(ProgramTest, accepts_the_scene_that_the_bad_ones_are_made_from) {
   expect_done({"scene.toml", "--no-pictures"});
 }
 
+TEST_P(ProgramTest, takes_tables_of_pins_only_where_conjugate_gradients_filter_them) {
+  write("pins.toml",
+        replaced(scene, "[\"top left\"]", "[\"top left\", {vertex = 4, fix = \"y\"}]"));
+  if (GetParam().is_iterative()) return expect_done({"pins.toml", "--no-pictures"});
+  const Outcome refused = run({"pins.toml", "--out", "out"});
+  expect_one_line(refused,
+                  {"pins.toml:5: " + GetParam().name + " does not model pins", "step04_cg"});
+  EXPECT_EQ(files_in(directory), std::vector<std::string>{"pins.toml"});
+}
+
 TEST_P(ProgramTest, names_the_step_that_teaches_a_table_and_runs_without_it) {
   struct Later {
     std::string table, first_step, text;

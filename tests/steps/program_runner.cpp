@@ -67,6 +67,18 @@ std::vector<StepProgram> explicit_programs() {
   return list;
 }
 
+std::vector<StepProgram> iterative_programs() {
+  std::vector<StepProgram> list = programs();
+  std::erase_if(list, [](const StepProgram& program) { return !program.is_iterative(); });
+  return list;
+}
+
+StepProgram program_called(const std::string& name) {
+  for (const StepProgram& program : programs())
+    if (program.name == name) return program;
+  throw std::invalid_argument("tests/steps/CMakeLists.txt has no program " + name);
+}
+
 std::string name_of(const testing::TestParamInfo<StepProgram>& info) {
   return info.param.name;
 }

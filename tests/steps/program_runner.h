@@ -17,6 +17,7 @@ struct StepProgram {
 
   int number() const { return name[5] - '0'; }
   bool is_explicit() const { return number() <= 2; }
+  bool is_iterative() const { return number() >= 4; }
   std::filesystem::path scene() const;  // its own scene.toml
 };
 inline void PrintTo(const StepProgram& program, std::ostream* out) {
@@ -25,6 +26,8 @@ inline void PrintTo(const StepProgram& program, std::ostream* out) {
 
 std::vector<StepProgram> programs();
 std::vector<StepProgram> explicit_programs();
+std::vector<StepProgram> iterative_programs();
+StepProgram program_called(const std::string& name);
 std::string name_of(const testing::TestParamInfo<StepProgram>& info);
 
 struct Outcome {
