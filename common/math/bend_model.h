@@ -12,10 +12,10 @@ enum class BendModel {
 // The k of a model, N·m, that gives a cloth the bending modulus B: bent to a cylinder of curvature κ
 // it stores B κ²/2 per area. N·m as well.
 //
-// It holds for square cells, vertices that lie on the cylinder, and a cylinder whose axis runs along
-// the grid. On other grids and in other directions a hinge is up to three times stiffer or half as
-// stiff, and a cloth free to relax is softer, a narrow strip by 1/3. Springs have no modulus: their
-// energy grows with κ⁴.
+// It holds for square cells, vertices that lie on the cylinder, and an axis along the grid. In other
+// directions a cloth is up to three times as stiff, or half; free to relax it is softer, a narrow strip
+// by up to 1/3; and on cells a × b the dihedral model has B = k a/b bent along a. Springs have no
+// modulus: their energy grows with κ⁴.
 inline std::optional<double> stiffness_of_modulus(BendModel model, double B) {
   switch (model) {
     case BendModel::dihedral:
