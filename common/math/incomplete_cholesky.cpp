@@ -23,6 +23,9 @@ void IncompleteCholesky::set(const BlockMatrix& A) {
     pinned.close(U);
     if (factorise()) return;
   }
+  // A is far from definite. With T = I conjugate gradients find that out for themselves.
+  for (Mat3& block : U.upper) block.setZero();
+  for (Mat3& block : inverse) block.setIdentity();
 }
 
 bool IncompleteCholesky::factorise() {

@@ -1,5 +1,6 @@
 #include "math/multigrid.h"
 
+#include <Eigen/Eigenvalues>
 #include <stdexcept>
 
 namespace {
@@ -32,6 +33,30 @@ void check(const Grid& grid) {
                                 "multiples of a power of two, or use --preconditioner ic");
 }
 
+// The projector onto the range of a symmetric sum of projectors.
+Mat3 range(const Mat3& sum) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(sum);
+  Mat3 onto = Mat3::Zero();
+  for (int n = 0; n < 3; ++n)
+    if (eigen.eigenvalues()[n] > 1e-9)
+      onto += eigen.eigenvectors().col(n) * eigen.eigenvectors().col(n).transpose();
+  return onto;
+}
+
+// A coarse vertex is left free what any of the fine vertices around it is.
+std::vector<Pin> coarse_pins(const std::vector<Pin>& pins,
+                             const std::vector<std::vector<Parent>>& parents, int coarse) {
+  std::vector<Mat3> free(parents.size(), Mat3::Identity());
+  for (const Pin& pin : pins) free[size_t(pin.vertex)] = pin.S;
+  std::vector<Mat3> sum(size_t(coarse), Mat3::Zero());
+  for (size_t i = 0; i < parents.size(); ++i)
+    for (const Parent& parent : parents[i]) sum[size_t(parent.vertex)] += free[i];
+  std::vector<Pin> held;
+  for (int I = 0; I < coarse; ++I)
+    if (const Mat3 S = range(sum[size_t(I)]); !S.isIdentity()) held.emplace_back(I, S);
+  return held;
+}
+
 }  // namespace
 
 std::vector<std::vector<Parent>> coarse_parents(const Grid& fine) {
@@ -56,22 +81,27 @@ std::vector<std::vector<Parent>> coarse_parents(const Grid& fine) {
   return parents;
 }
 
-Multigrid::Multigrid(const BlockMatrix& pattern, const std::vector<Pin>& pins, const Grid& grid)
-    : pinned(pattern, pins) {
+Multigrid::Multigrid(const BlockMatrix& pattern, const std::vector<Pin>& pins, const Grid& grid) {
   check(grid);
-  levels.emplace_back().A = pattern;
-  for (Grid fine = grid; even(fine); fine = half(fine)) add_level(fine);
-  for (Level& level : levels) {
-    level.inverse = level.A.diagonal;
-    level.r = level.s = level.t = VecX::Zero(3 * level.A.rows());
+  levels.emplace_back(pattern, pins);
+  std::vector<Pin> held = pins;
+  for (Grid fine = grid; even(fine); fine = half(fine)) {
+    const BlockMatrix coarse = map_to_coarse(fine);
+    held = coarse_pins(held, levels.back().parents, coarse.rows());
+    levels.emplace_back(coarse, held);
   }
   const Eigen::Index n = 3 * levels.back().A.rows();
   dense = Eigen::MatrixXd::Identity(n, n);
   coarsest.compute(dense);
 }
 
-// The next level: a coarse block for every two coarse vertices that are parents of neighbours.
-void Multigrid::add_level(const Grid& grid) {
+Multigrid::Level::Level(const BlockMatrix& pattern, const std::vector<Pin>& pins)
+    : A(pattern), pinned(pattern, pins), inverse(pattern.diagonal),
+      r(VecX::Zero(3 * pattern.rows())), s(r), t(r) {}
+
+// From the last level to the next: that has a block for every two vertices that are parents of
+// neighbours.
+BlockMatrix Multigrid::map_to_coarse(const Grid& grid) {
   Level& fine = levels.back();
   const BlockMatrix& A = fine.A;
   fine.parents = coarse_parents(grid);
@@ -111,7 +141,7 @@ void Multigrid::add_level(const Grid& grid) {
     });
   });
   fine.share_start.push_back(int(fine.shares.size()));
-  levels.emplace_back().A = std::move(coarse);
+  return coarse;
 }
 
 void Multigrid::coarsen(const Level& fine, BlockMatrix& coarse) {
@@ -136,13 +166,14 @@ void Multigrid::coarsen(const Level& fine, BlockMatrix& coarse) {
 void Multigrid::set(const BlockMatrix& A) {
   levels[0].A.diagonal = A.diagonal;
   levels[0].A.upper = A.upper;
-  pinned.cut(levels[0].A);
-  for (size_t level = 0; level + 1 < levels.size(); ++level)
-    coarsen(levels[level], levels[level + 1].A);
-  pinned.close(levels[0].A);
-  for (Level& level : levels)
+  for (size_t number = 0; number < levels.size(); ++number) {
+    Level& level = levels[number];
+    level.pinned.cut(level.A);
+    if (number + 1 < levels.size()) coarsen(level, levels[number + 1].A);
+    level.pinned.close(level.A);
     for (size_t i = 0; i < level.inverse.size(); ++i)
       level.inverse[i] = level.A.diagonal[i].inverse();
+  }
 
   const BlockMatrix& last = levels.back().A;
   for (int i = 0; i < last.rows(); ++i) {
@@ -150,6 +181,8 @@ void Multigrid::set(const BlockMatrix& A) {
     for (int s = last.row_start[i]; s < last.row_start[i + 1]; ++s)
       dense.block<3, 3>(3 * last.column[s], 3 * i) = last.upper[s].transpose();
   }
+  // Pins can hold all that P makes of a coarse zigzag: a little keeps it from a zero pivot.
+  dense.diagonal().array() += 1e-12 * dense.diagonal().maxCoeff();
   coarsest.compute(dense);
 }
 
@@ -192,7 +225,7 @@ void Multigrid::cycle(size_t number) {
   for (int i = 0; i < A.rows(); ++i)
     for (const auto& [parent, weight] : level.parents[i])
       s.segment<3>(3 * i) += weight * coarse.s.segment<3>(3 * parent);
-  if (number == 0) pinned.filter(s);
+  level.pinned.filter(s);
 
   // Backwards: (Δ + Lᵀ) s_new = r − L s.
   t = r;

@@ -1,12 +1,13 @@
 // Geometric multigrid for grids, as a preconditioner: one V-cycle with A = L + Δ + Lᵀ.
 //
 //   s  = (Δ + L)⁻¹ r                   smooth: block Gauss–Seidel, forwards from zero
-//   s += P A_c⁻¹ Pᵀ (r − A s)          correct on the grid of half as many cells
+//   s += S P A_c⁻¹ Pᵀ (r − A s)        correct on the grid of half as many cells
 //   s += (Δ + Lᵀ)⁻¹ (r − A s)          smooth, backwards: that makes the cycle symmetric
 //
 // P interpolates along the edges of the coarse grid, A_c = Pᵀ A P (Galerkin), and A_c⁻¹ is the same cycle
 // again, down to a grid that cannot be halved; that is solved densely. Smoothing takes out what is
-// rough, and what is smooth looks rough on a coarser grid.
+// rough, and what is smooth looks rough on a coarser grid. A direction that pins hold at all fine vertices
+// around a coarse one has nothing in A_c: it counts as held there.
 #pragma once
 #include <Eigen/Cholesky>
 
@@ -42,7 +43,10 @@ class Multigrid : public Preconditioner {
     double weight;
   };
   struct Level {
-    BlockMatrix A;
+    Level(const BlockMatrix& pattern, const std::vector<Pin>& pins);
+
+    BlockMatrix A;  // S A S + I − S
+    PinnedBlocks pinned;
     std::vector<Mat3> inverse;  // of the diagonal blocks
     VecX r, s, t;
     std::vector<std::vector<Parent>> parents;
@@ -50,12 +54,11 @@ class Multigrid : public Preconditioner {
     std::vector<int> share_start;  // of each block
   };
 
-  void add_level(const Grid& fine);
+  BlockMatrix map_to_coarse(const Grid& fine);
   static void coarsen(const Level& fine, BlockMatrix& coarse);
   void cycle(size_t level);
 
-  PinnedBlocks pinned;
   std::vector<Level> levels;  // the finest first
   Eigen::MatrixXd dense;
-  Eigen::LLT<Eigen::MatrixXd> coarsest;
+  Eigen::LDLT<Eigen::MatrixXd> coarsest;  // LLT would allocate in every step
 };

@@ -23,8 +23,7 @@ TermEnergies elastic_energies(const Cloth& cloth, const VecX& x) {
     if (entry == energies.end()) entry = energies.insert(energies.end(), {term.name, 0.0});
     entry->second += joule;
   };
-  add_elastic_energy(cloth.triangles, x, add);
-  add_elastic_energy(cloth.springs, x, add);
+  for_each_family(cloth, [&](const auto& family) { add_elastic_energy(family, x, add); });
   return energies;
 }
 

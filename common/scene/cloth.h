@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "math/grid.h"
+#include "math/hinge.h"
 #include "math/pin.h"
+#include "math/quadratic_bend.h"
 #include "math/spring.h"
 #include "math/triangle.h"
 
@@ -16,14 +18,25 @@ struct Cloth {
 
   Triangles triangles;
   Springs springs;
+  Hinges hinges;
+  QuadraticHinges quadratic_hinges;
   std::optional<Grid> grid;  // of a cloth that is one
 
   int vertices() const { return int(mass.size()) / 3; }
 };
 
+template <class Act>
+void for_each_family(const Cloth& cloth, const Act& act) {
+  act(cloth.triangles);
+  act(cloth.springs);
+  act(cloth.hinges);
+  act(cloth.quadratic_hinges);
+}
+
 // Does any term of the cloth cost energy?
 inline bool damped(const Cloth& cloth) {
-  for (const auto& term : {cloth.triangles.stretch, cloth.triangles.shear, cloth.springs.spring})
+  for (const auto& term : {cloth.triangles.stretch, cloth.triangles.shear, cloth.springs.spring,
+                           cloth.hinges.bend, cloth.quadratic_hinges.bend})
     if (term && term->kd > 0) return true;
   return false;
 }

@@ -24,7 +24,6 @@ inline double gravitational_energy(const Cloth& cloth, const VecX& x) {
 inline double potential_energy(const Cloth& cloth, const VecX& x) {
   double energy = gravitational_energy(cloth, x);
   const auto add = [&](const Term&, double joule) { energy += joule; };
-  add_elastic_energy(cloth.triangles, x, add);
-  add_elastic_energy(cloth.springs, x, add);
+  for_each_family(cloth, [&](const auto& family) { add_elastic_energy(family, x, add); });
   return energy;
 }

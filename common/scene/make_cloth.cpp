@@ -1,5 +1,7 @@
 #include "scene/make_cloth.h"
 
+#include "scene/hinges.h"
+
 Triangle make_triangle(const Mesh& mesh, size_t face) {
   const auto& [uv0, uv1, uv2] = mesh.rest[face];
   return make_triangle(mesh.faces[face], uv0, uv1, uv2);
@@ -24,6 +26,21 @@ VecX inverse_masses(const VecX& mass, const std::vector<Pin>& pins) {
   return inverse;
 }
 
+void add_bend(const Mesh& mesh, const Model& model, Cloth& cloth) {
+  switch (model.bend_model) {
+    case BendModel::dihedral:
+    case BendModel::bridson:
+      cloth.hinges = {make_hinges(mesh), model.bend, model.bend_model};
+      if (!mesh.flat) rest_at(mesh.x, cloth.hinges.elements);
+      break;
+    case BendModel::quadratic:
+      cloth.quadratic_hinges = {make_quadratic_hinges(mesh), model.bend};
+      break;
+    case BendModel::springs:
+      cloth.springs = {make_bend_springs(mesh), model.bend};
+  }
+}
+
 }  // namespace
 
 Cloth make_cloth(const Mesh& mesh, const Model& model) {
@@ -40,5 +57,6 @@ Cloth make_cloth(const Mesh& mesh, const Model& model) {
     for (size_t face = 0; face < mesh.faces.size(); ++face)
       cloth.triangles.elements.push_back(make_triangle(mesh, face));
   }
+  if (model.bend) add_bend(mesh, model, cloth);
   return cloth;
 }

@@ -10,9 +10,12 @@ struct Model {
   std::optional<Term> stretch = {};  // N/m
   std::optional<Term> shear = {};
   std::optional<Vec3> gravity = {};  // m/s²
+  std::optional<Term> bend = {};     // N·m; N/m for springs
+  BendModel bend_model = BendModel::dihedral;
 };
 
-// A third of each triangle's mass goes to each of its corners: m_i = Σ ρ a/3.
+// A third of each triangle's mass goes to each of its corners: m_i = Σ ρ a/3. Where the mesh is not flat
+// at rest, hinges rest at the angles of its x; quadratic ones and springs rest flat.
 Cloth make_cloth(const Mesh&, const Model&);
 
 // The triangle of one face of the mesh, with the weights of its rest shape.

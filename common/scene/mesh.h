@@ -12,6 +12,7 @@ struct Mesh {
   std::vector<std::array<Vec2, 3>>
       rest;                       // m, (u, v) per face corner: one vertex of a seam has several
   VecX x;                         // m, as the grid is laid or the file says
+  bool flat = true;               // at rest; if not, what is folded in x is so at rest
   std::optional<Grid> grid = {};  // of a mesh that make_grid made
 
   int vertices() const { return int(x.size()) / 3; }

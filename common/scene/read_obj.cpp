@@ -56,6 +56,7 @@ Mesh read_obj(const std::filesystem::path& path) {
           {corner[0].vertex_index, corner[1].vertex_index, corner[2].vertex_index});
       mesh.rest.push_back(rest_shape(reader.GetAttrib(), corner));
     }
+  mesh.flat = !reader.GetAttrib().texcoords.empty();
   if (mesh.faces.empty())
     throw BadInput(path.string() + ": no faces; a cloth needs v lines and triangles, f lines");
   check(mesh, path);

@@ -38,13 +38,57 @@ std::optional<Term> read_term(const SceneFile& scene, const char* name) {
   return Term{name, table.number("k", Range::not_negative)};
 }
 
+const std::vector<std::pair<std::string, BendModel>> bend_models = {
+    {"dihedral", BendModel::dihedral},
+    {"bridson", BendModel::bridson},
+    {"quadratic", BendModel::quadratic},
+    {"springs", BendModel::springs}};
+
+BendModel read_bend_model(const TomlTable& table) {
+  if (!table.has("model")) return BendModel::dihedral;
+  Names names;
+  for (const auto& [name, model] : bend_models) names.push_back(name);
+  const std::string chosen = table.one_of("model", names);
+  for (const auto& [name, model] : bend_models)
+    if (name == chosen) return model;
+  return BendModel::dihedral;
+}
+
+// [bend] has a k, or the modulus B that k follows from.
+void read_bend(const SceneFile& scene, Model& model) {
+  if (!scene.has("bend")) return;
+  const TomlTable table = scene.table("bend");
+  table.allow_only({"model", "k", "B"});
+  model.bend_model = read_bend_model(table);
+  if (table.has("B") && table.has("k"))
+    table.refuse("B", "k follows from B; take out one of the two");
+  if (!table.has("B")) {
+    model.bend = Term{"bend", table.number("k", Range::not_negative)};
+    return;
+  }
+  const std::optional<double> k =
+      stiffness_of_modulus(model.bend_model, table.number("B", Range::not_negative));
+  if (!k)
+    table.refuse("B", "springs have no bending modulus; give k in N/m, or take another model");
+  model.bend = Term{"bend", *k};
+}
+
+void check_bend(const SceneFile& scene, const Mesh& mesh, const Model& model) {
+  const bool rests_flat =
+      model.bend_model == BendModel::quadratic || model.bend_model == BendModel::springs;
+  if (model.bend && rests_flat && !mesh.flat)
+    scene.table("bend").refuse("model",
+                               "this model rests flat, and the mesh has no texture coordinates to "
+                               "lay it flat; use dihedral or bridson, which rest as the mesh lies");
+}
+
 // Damping belongs to a term: without its k there is nothing to damp.
 void read_damping(const SceneFile& scene, Model& model) {
   if (!scene.has("damping")) return;
   const TomlTable table = scene.table("damping");
-  table.allow_only({"stretch", "shear"});
-  for (auto [name, term] :
-       {std::pair("stretch", &model.stretch), std::pair("shear", &model.shear)}) {
+  table.allow_only({"stretch", "shear", "bend"});
+  for (auto [name, term] : {std::pair("stretch", &model.stretch), std::pair("shear", &model.shear),
+                            std::pair("bend", &model.bend)}) {
     if (!table.has(name)) continue;
     const double kd = table.number(name, Range::not_negative);
     const std::string term_name = name;
@@ -61,6 +105,7 @@ Model read_model(const SceneFile& scene) {
   model.gravity = read_gravity(scene);
   model.stretch = read_term(scene, "stretch");
   model.shear = read_term(scene, "shear");
+  read_bend(scene, model);
   read_damping(scene, model);
   return model;
 }
@@ -95,6 +140,7 @@ Scene read_scene(const std::filesystem::path& path, const std::string& program,
   Model model = read_model(file);
   Geometry geometry = read_geometry(file);
   model.pins = std::move(geometry.pins);
+  check_bend(file, geometry.mesh, model);
   scene.cloth = make_cloth(geometry.mesh, model);
   scene.start = read_start(file, geometry, scene.cloth);
   scene.mesh = std::move(geometry.mesh);

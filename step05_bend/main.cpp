@@ -1,0 +1,34 @@
+// Step 5, bending: one more condition, the angle between two triangles.
+//
+// Read time_step.h first: everything that this step teaches stands there.
+#include "program/run.h"
+#include "time_step.h"
+
+int simulate(const Options& options) {
+  Scene scene = read_scene(options.scene, options.program, options.overrides);
+  Cloth& cloth = scene.cloth;
+  State state = scene.start;
+  step05::System system(cloth, options.method);
+
+  Run run(options, scene);
+
+  for (int frame = 0; frame <= scene.time.frames; ++frame) {
+    while (run.before_frame(frame)) {
+      step05::time_step(cloth, scene.time.h, state, system);
+      run.counters.iterations = system.iterations;
+      run.counters.indefinite = system.indefinite;
+      run.counters.capped = system.capped;
+      run.counters.unconverged = system.unconverged;
+      run.check(state);
+    }
+    run.record(frame, state);
+  }
+  return run.finish(state);
+}
+
+int main(int argc, char** argv) {
+  return run_program(argc, argv,
+                     {"step05_bend", "bending: the dihedral angle", STEP_DIRECTORY,
+                      Concepts{.implicit = true, .iterative = true}},
+                     simulate);
+}

@@ -1,0 +1,215 @@
+// Step 5: bending.
+//
+//   M dv/dt = f(x, v),  dx/dt = v   the equation of motion
+//   (M − h D − h² K) Δv = h (f + h K v),   K = ∂f/∂x,  D = ∂f/∂v
+//   v += Δv,         x += h v       backward Euler, linearised once
+#pragma once
+#include "math/preconditioner.h"
+#include "program/method.h"
+#include "scene/energy.h"
+#include "scene/pattern.h"
+
+namespace step05 {
+
+// What a step computes; it lives from step to step, so that none allocates.
+struct System {
+  explicit System(const Cloth& cloth, const Method& method_ = {})
+      : method(method_), f(cloth.mass.size()), b(f), dv(f), v(f), Dv(f),
+        K(make_block_matrix(cloth)), A(K), slots(cloth, K), r(f.size()), c(r), q(r), s(r),
+        T(make_preconditioner(method.preconditioner, A, cloth.pins, cloth.grid)) {
+    if (damped(cloth)) D = K;
+  }
+
+  Method method;
+  VecX f, b, dv, v, Dv;  // N, N·s, m/s, m/s, N
+  BlockMatrix K, D, A;   // N/m, N·s/m, kg; D is empty without damping
+  ClothSlots slots;
+  VecX r, c, q, s;                    // residual, N·s; direction, m/s; A c; T r
+  std::unique_ptr<Preconditioner> T;  // near A⁻¹
+  State start, trial;                 // of a Newton step
+  BlockMatrix D_start;
+  long indefinite = 0, unconverged = 0;  // steps: A not definite, Newton not at its end
+  long iterations = 0, capped = 0;       // of conjugate gradients; systems that needed more
+};
+
+// 1. Forces and their derivatives -----------------------------------------------------------------
+
+// All that one element's conditions add up to on its vectors y.
+template <int Y>
+struct Sum {
+  Vecs<Y> f = zero_vectors<Y>();
+  Mats<Y> K = zero_matrices<Y>(), D = K;
+};
+
+// How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
+// and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
+// Their derivatives:     K = −k ∂C/∂y ∂C/∂yᵀ − (k C + kd Ċ) ∂²C/∂y²,  D = −kd ∂C/∂y ∂C/∂yᵀ
+// A stays positive definite if of the second term only max(k C, 0) ∂²C/∂y² of convex C is kept.
+template <int M, class Second, class Rates, int Y>
+void act(const Term& term, const Condition<M>& c, const Second& second, Jacobian jacobian,
+         const Rates& ydot, Sum<Y>& sum) {
+  double Cdot = 0;
+  for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
+  for (int m = 0; m < M; ++m) sum.f[c.first + m] -= (term.k * c.C + term.kd * Cdot) * c.dCdy[m];
+
+  double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
+  if (jacobian == Jacobian::bw98) kept = term.k * c.C + term.kd * Cdot;
+  const Mats<M> d2Cdy2 = kept != 0 ? second() : zero_matrices<M>();
+  for (int m = 0; m < M; ++m)
+    for (int n = 0; n < M; ++n) {
+      const Mat3 ggT = c.dCdy[m] * c.dCdy[n].transpose();
+      sum.K[c.first + m][c.first + n] -= term.k * ggT + kept * d2Cdy2[m][n];
+      sum.D[c.first + m][c.first + n] -= term.kd * ggT;
+    }
+}
+
+// One family of elements: gather y, let its conditions act there, and scatter to the vertices.
+template <class Family, class Slots>
+void add_family(const Family& family, const Slots& slots, const State& state, System& system) {
+  auto slot = slots.begin();
+  for (const auto& element : family.elements) {
+    const Vecs<Family::Y> y = gather(element, state.x), ydot = gather(element, state.v);
+    Sum<Family::Y> sum;
+    family.conditions(element, y, [&](const Term& term, const auto& condition, const auto& second) {
+      act(term, condition, second, system.method.jacobian, ydot, sum);
+    });
+    scatter(element, sum.f, system.f);
+    scatter(element, sum.K, *slot, system.K);
+    if (!system.D.empty()) scatter(element, sum.D, *slot, system.D);
+    ++slot;
+  }
+}
+
+inline void add_gravity(const Cloth& cloth, System& system) {
+  for (int i = 0; i < cloth.vertices(); ++i)
+    system.f.segment<3>(3 * i) += cloth.mass[3 * i] * *cloth.gravity;
+}
+
+inline void forces(const Cloth& cloth, const State& state, System& system) {
+  system.f.setZero();
+  system.K.set_zero();
+  system.D.set_zero();
+  if (cloth.gravity) add_gravity(cloth, system);
+  add_family(cloth.triangles, system.slots.triangles, state, system);
+  add_family(cloth.springs, system.slots.springs, state, system);
+  add_family(cloth.hinges, system.slots.hinges, state, system);
+  add_family(cloth.quadratic_hinges, system.slots.quadratic_hinges, state, system);
+}
+
+// 2. Conjugate gradients --------------------------------------------------------------------------
+
+// The filter: r ← S r leaves of r what the pins leave free.
+inline void filter(const Cloth& cloth, VecX& r) {
+  for (const Pin& pin : cloth.pins) {
+    const Vec3 r_i = r.segment<3>(3 * pin.vertex);
+    r.segment<3>(3 * pin.vertex) = pin.S * r_i;
+  }
+}
+
+// z: what v lacks of the pins' velocity in the directions that they hold, zero everywhere else.
+inline void prescribe(const Cloth& cloth, const VecX& v, VecX& z) {
+  z.setZero();
+  for (const Pin& pin : cloth.pins) {
+    const Vec3 lacking = pin.velocity - v.segment<3>(3 * pin.vertex);
+    z.segment<3>(3 * pin.vertex) = lacking - pin.S * lacking;
+  }
+}
+
+// Modified conjugate gradients (BW98): of all Δv that are z where pins hold, the one that makes
+// ½ Δvᵀ A Δv − bᵀ Δv smallest, where the residual r = S (b − A Δv) is zero. Every direction c is
+// A-conjugate to those before it. Enough is rᵀ T r ≤ tolerance² Δvᵀ M Δv: if T were A⁻¹, Δv would then
+// be wrong by no more than `tolerance` of itself, both measured by their kinetic energy.
+inline void conjugate_gradients(const Cloth& cloth, System& system) {
+  VecX &dv = system.dv, &r = system.r, &c = system.c, &q = system.q, &s = system.s;
+  system.A.multiply(dv, q);  // Δv = z
+  r = system.b - q;
+  filter(cloth, r);
+  c.setZero();
+  double delta_before = 1;
+  for (int i = 0; i < system.method.max_iterations; ++i) {
+    system.T->apply(r, s);
+    filter(cloth, s);
+    const double delta = r.dot(s), scale = dv.cwiseAbs2().dot(cloth.mass);
+    if (delta <= system.method.tolerance * system.method.tolerance * scale) return;
+    c = s + delta / delta_before * c;
+    system.A.multiply(c, q);
+    filter(cloth, q);
+    const double cAc = c.dot(q);
+    if (!(delta > 0 && cAc > 0)) {  // A or T is not definite, or holds a NaN
+      ++system.indefinite;
+      return;
+    }
+    dv += delta / cAc * c;
+    r -= delta / cAc * q;
+    delta_before = delta;
+    ++system.iterations;
+  }
+  ++system.capped;
+}
+
+// 3. Time step ------------------------------------------------------------------------------------
+
+// A = M − h D − h² K, and A Δv = b with the change of v that the pins prescribe.
+inline void solve(const Cloth& cloth, double h, const VecX& v, System& system) {
+  system.A.set_diagonal(cloth.mass);
+  system.A.add(-h, system.D);
+  system.A.add(-h * h, system.K);
+  system.T->set(system.A);
+  prescribe(cloth, v, system.dv);
+  conjugate_gradients(cloth, system);
+}
+
+// Φ(v) = ½ |v − v0|²_M + E(x0 + h v) − h/2 vᵀ D v: backward Euler's v, with D as at x0, minimises it.
+inline double potential(const Cloth& cloth, double h, const VecX& v, System& system) {
+  system.trial.x = system.start.x + h * v;
+  system.D.multiply(v, system.Dv);
+  return 0.5 * (v - system.start.v).cwiseAbs2().dot(cloth.mass) +
+         potential_energy(cloth, system.trial.x) - 0.5 * h * v.dot(system.Dv);
+}
+
+// Newton's method on Φ from v = 0: A is its second derivative or the definite part, b = −Φ'. Its first
+// definite step is the plain step below. A step too long is halved until Φ falls. bᵀΔv is left to
+// gain; 1e-8 of the first one (Δv: 1e-4 of the first) is enough.
+inline void newton_step(const Cloth& cloth, double h, State& state, System& system) {
+  VecX &v = system.v, &b = system.b;
+  system.start = state;
+  system.trial = {state.x, v.setZero()};  // at rest: the damping force is D v
+  prescribe(cloth, v, system.dv);         // but where pins move
+  v += system.dv;
+  system.trial.x += h * v;
+  double first = 0, left = 1;
+  for (int iteration = 0; iteration < system.method.newton && left > 1e-8; ++iteration) {
+    forces(cloth, system.trial, system);
+    if (iteration == 0) system.D_start = system.D;
+    system.D = system.D_start;
+    system.D.multiply(v, system.Dv);
+    b = cloth.mass.cwiseProduct(system.start.v - v) + h * (system.f + system.Dv);
+    solve(cloth, h, v, system);
+    const double gain = b.dot(system.dv), Phi = potential(cloth, h, v, system);
+    if (iteration == 0) first = std::abs(gain);
+    const double scale = std::abs(Phi) + 0.5 * system.start.v.cwiseAbs2().dot(cloth.mass);
+    double step = gain < 0 ? -1 : 1;  // downhill, whatever A is
+    while (std::abs(gain) > 1e-12 * scale && std::abs(step) > 1e-12 &&
+           potential(cloth, h, v + step * system.dv, system) > Phi - 1e-4 * step * gain)
+      step /= 2;
+    v += step * system.dv;
+    system.trial.x = system.start.x + h * v;
+    left = std::abs(gain) / (first + 1e-12 * scale);
+  }
+  if (left > 1e-8) ++system.unconverged;
+  state = {system.trial.x, v};
+}
+
+// The cloth remembers its folds: which of the angles that look alike, a full turn apart, is θ.
+inline void time_step(Cloth& cloth, double h, State& state, System& system) {
+  cloth.hinges.follow(state.x);
+  if (system.method.newton > 1) return newton_step(cloth, h, state, system);
+  forces(cloth, state, system);
+  system.K.multiply(state.v, system.b);
+  system.b = h * (system.f + h * system.b);
+  solve(cloth, h, state.v, system);
+  state.v += system.dv;
+  state.x += h * state.v;
+}
+
+}  // namespace step05
