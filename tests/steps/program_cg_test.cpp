@@ -162,6 +162,8 @@ TEST_P(ConjugateGradients, indefinite_systems_are_counted_and_said) {
   EXPECT_EQ(survived.code, 0) << survived.err;
   const long indefinite = std::lround(last("0.2", "indefinite"));
   EXPECT_GE(indefinite, 1);
+  EXPECT_GT(last("0.2", "gained"), 0) << "no pin moves, so it is counted";
+  expect_says(survived.out, "J more than at the start");
   expect_says(survived.out,
               "worth a doubt: conjugate gradients met pᵀAp ≤ 0, or not a number, and gave up in " +
                   std::to_string(indefinite) + " system");
