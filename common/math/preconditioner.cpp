@@ -7,10 +7,18 @@
 
 namespace {
 
+// Divides by one number, the mean of the diagonal of A: s has its unit, and the direction of r.
 class NoPreconditioner : public Preconditioner {
  public:
-  void set(const BlockMatrix&) override {}
-  void apply(const VecX& r, VecX& s) override { s = r; }
+  void set(const BlockMatrix& A) override {
+    double trace = 0;
+    for (const Mat3& block : A.diagonal) trace += block.trace();
+    mean = trace / (3 * A.rows());
+  }
+  void apply(const VecX& r, VecX& s) override { s = r / mean; }
+
+ private:
+  double mean = 1;
 };
 
 // Divides by the diagonal of A.

@@ -18,7 +18,7 @@ class Preconditioner {
   virtual void apply(const VecX& r, VecX& s) = 0;  // s = T r
 };
 
-// "none", "jacobi": the diagonal of A, "block": its 3 × 3 diagonal blocks, "ic": incomplete_cholesky.h,
+// "none": one number, "jacobi": the diagonal of A, "block": its 3 × 3 diagonal blocks, "ic": incomplete_cholesky.h,
 // "multigrid": multigrid.h. Throws std::invalid_argument for another name, and for multigrid on what is
 // not a grid that can be halved (with what to use instead).
 std::unique_ptr<Preconditioner> make_preconditioner(const std::string& name,
