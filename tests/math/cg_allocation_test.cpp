@@ -1,0 +1,52 @@
+// A step of conjugate gradients allocates nothing after the first, whatever the preconditioner.
+#include "count_allocations.h"  // before Eigen
+
+// Not only linked: Eigen counts in what is compiled here.
+#include "math/incomplete_cholesky.cpp"
+#include "math/multigrid.cpp"
+#include "math/pinned_blocks.cpp"
+#include "math/preconditioner.cpp"
+#include "scene/make_cloth.h"
+#include "step04_cg/time_step.h"
+
+namespace {
+
+struct CgAllocation : testing::TestWithParam<const char*> {
+  // Of 20 steps after the first, on a sheet that halves down to a grid of `coarsest` × `coarsest`.
+  int allocations_in_steps(int coarsest) {
+    const Mesh mesh = make_grid({1, 1}, {2 * coarsest, 2 * coarsest}, Diagonals::alternating);
+    Model model;
+    model.stretch = Term{"stretch", 1000, 1};
+    model.shear = Term{"shear", 500, 1};
+    model.gravity = Vec3(0, -9.81, 0);
+    model.pins = {0, Pin(4, Vec3::UnitX() * Vec3::UnitX().transpose())};
+    const Cloth cloth = make_cloth(mesh, model);
+    Method method;
+    method.preconditioner = GetParam();
+    step04::System system(cloth, method);
+    State state{mesh.x, VecX::Zero(mesh.x.size())};
+    const auto step = [&] { step04::time_step(cloth, 0.01, state, system); };
+    step();
+    const long before = system.iterations;
+    const int allocated = allocations_in([&] {
+      for (int i = 0; i < 20; ++i) step();
+    });
+    EXPECT_GT(system.iterations, before);
+    EXPECT_EQ(system.indefinite + system.capped, 0);
+    return allocated;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Preconditioners, CgAllocation,
+                         testing::Values("none", "jacobi", "block", "ic", "multigrid"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(CgAllocation, AStepAllocatesNothing) {
+  EXPECT_EQ(allocations_in_steps(3), 0);
+}
+
+// 13 × 13 cells, 588 coordinates.
+TEST_P(CgAllocation, NorDoesOneWithALargeCoarsestGrid) {
+  EXPECT_EQ(allocations_in_steps(13), 0);
+}
+
+}  // namespace

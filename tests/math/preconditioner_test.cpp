@@ -1,0 +1,228 @@
+// s = T r: what every preconditioner has to be, and what each of them is.
+#include "math/preconditioner.h"
+
+#include <gtest/gtest.h>
+
+#include "math/incomplete_cholesky.h"
+#include "pinned.h"
+
+namespace {
+
+// T column by column.
+MatX matrix_of(Preconditioner& T, Eigen::Index n) {
+  MatX all(n, n);
+  VecX s(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    T.apply(VecX::Unit(n, j), s);
+    all.col(j) = s;
+  }
+  return all;
+}
+
+// S A S + I − S: pinned directions stand for themselves.
+MatX closed(const Cloth& cloth, const MatX& A) {
+  const MatX S = filter_matrix(cloth);
+  return S * A * S + MatX::Identity(A.rows(), A.cols()) - S;
+}
+
+bool positive_definite(const MatX& A) {
+  return Eigen::SelfAdjointEigenSolver<MatX>(A, Eigen::EigenvaluesOnly).eigenvalues().minCoeff() >
+         0;
+}
+
+struct Preconditioners : testing::TestWithParam<const char*> {
+  MatX T_of(const PinnedSheet& sheet, const step04::System& system) const {
+    const auto T = make_preconditioner(GetParam(), system.A, sheet.cloth.pins, sheet.cloth.grid);
+    T->set(system.A);
+    return matrix_of(*T, sheet.state.x.size());
+  }
+};
+INSTANTIATE_TEST_SUITE_P(All, Preconditioners, testing::ValuesIn(all_preconditioners),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(Preconditioners, AreSymmetricAndPositiveDefinite) {
+  for (const Diagonals diagonals : {Diagonals::same, Diagonals::alternating}) {
+    const PinnedSheet sheet(151, diagonals);
+    const MatX T = T_of(sheet, sheet.step({}));
+    EXPECT_LT((T - T.transpose()).norm(), 1e-13 * T.norm());
+    EXPECT_TRUE(positive_definite(T));
+  }
+}
+
+// The filter has nothing to take out. (The diagonal of a matrix knows no oblique directions.)
+TEST_P(Preconditioners, MapWhatThePinsLeaveFreeOntoItself) {
+  const PinnedSheet sheet(152);
+  const MatX S = filter_matrix(sheet.cloth), T = T_of(sheet, sheet.step({}));
+  const double leaves = ((MatX::Identity(S.rows(), S.cols()) - S) * T * S).norm();
+  if (std::string(GetParam()) != "jacobi") {
+    EXPECT_LT(leaves, 1e-12 * T.norm());
+  }
+  EXPECT_TRUE(positive_definite(free_directions(sheet.cloth).transpose() * T *
+                                free_directions(sheet.cloth)));
+}
+
+// Each is nearer to A⁻¹ than the one before: the eigenvalues of T A lie closer together.
+TEST(AllPreconditioners, LowerTheConditionNumber) {
+  const PinnedSheet sheet(153, Diagonals::same, {8, 8});
+  const step04::System system = sheet.step({});
+  const MatX Z = free_directions(sheet.cloth), A = dense(system.A);
+  const MatX L = MatX(Z.transpose() * A * Z).llt().matrixL();
+  std::vector<double> condition;
+  for (const char* name : all_preconditioners) {
+    const auto T = make_preconditioner(name, system.A, sheet.cloth.pins, sheet.cloth.grid);
+    T->set(system.A);
+    const MatX TA = L.transpose() * Z.transpose() * matrix_of(*T, A.rows()) * Z * L;
+    const VecX e = Eigen::SelfAdjointEigenSolver<MatX>(TA, Eigen::EigenvaluesOnly).eigenvalues();
+    condition.push_back(e.maxCoeff() / e.minCoeff());
+    std::printf("%-10s %.1f\n", name, condition.back());
+  }
+  for (size_t i = 1; i < condition.size(); ++i) EXPECT_LT(condition[i], 0.8 * condition[i - 1]);
+}
+
+TEST(BlockJacobi, IsTheInverseOfTheDiagonalBlocks) {
+  const PinnedSheet sheet(154);
+  const step04::System system = sheet.step(cg("block", 1e-4));
+  const MatX A = closed(sheet.cloth, dense(system.A));
+  MatX blocks = MatX::Zero(A.rows(), A.cols());
+  for (int i = 0; i < A.rows(); i += 3) blocks.block<3, 3>(i, i) = A.block<3, 3>(i, i).inverse();
+  EXPECT_LT(relative(matrix_of(*system.T, A.rows()), blocks), 1e-12);
+}
+
+TEST(BlockJacobi, OfDiagonalBlocksIsExact) {
+  PinnedSheet sheet(155);
+  const step04::System system = sheet.step(cg("block", 1e-4));
+  BlockMatrix A = system.A;
+  for (Mat3& block : A.upper) block.setZero();
+  system.T->set(A);
+  EXPECT_LT(relative(matrix_of(*system.T, 3 * A.rows()), closed(sheet.cloth, dense(A)).inverse()),
+            1e-12);
+}
+
+Mesh strip() {
+  return make_grid({4, 0.5}, {8, 1}, Diagonals::same);
+}
+
+struct IC : testing::Test {
+  // A of a disturbed sheet on `mesh`, of its own numbering.
+  BlockMatrix matrix(const Mesh& mesh, const std::vector<Pin>& pins) {
+    Model model;
+    model.stretch = Term{"stretch", 1000};
+    model.shear = Term{"shear", 500};
+    model.pins = pins;
+    cloth = make_cloth(mesh, model);
+    Random random(156);
+    State state = disturbed(mesh, 0.05, random);
+    step04::System system(cloth);
+    step04::time_step(cloth, 1.0 / 60, state, system);
+    return system.A;
+  }
+  Cloth cloth;
+};
+
+// A strip one cell wide, its vertices numbered along it: each triangle adds one vertex to an edge, so
+// that no elimination fills anything.
+TEST_F(IC, IsExactWhereNothingIsDropped) {
+  Mesh mesh = strip();
+  const auto along = [](int i) { return i < 9 ? 2 * i : 2 * (i - 9) + 1; };
+  Mesh renumbered = mesh;
+  renumbered.grid.reset();
+  for (Face& face : renumbered.faces)
+    for (int& i : face) i = along(i);
+  for (int i = 0; i < mesh.vertices(); ++i)
+    renumbered.x.segment<3>(3 * along(i)) = mesh.x.segment<3>(3 * i);
+
+  const std::vector<Pin> pins = {0, Pin(5, all_but(Vec3(1, 2, 2) / 3)),
+                                 Pin(9, only(Vec3::UnitZ()))};
+  for (const bool in_order : {true, false}) {
+    const BlockMatrix A = matrix(in_order ? renumbered : mesh, pins);
+    IncompleteCholesky T(A, pins);
+    T.set(A);
+    EXPECT_EQ(T.shift, 0);
+    const MatX exact = closed(cloth, dense(A)).inverse();
+    const double error = relative(matrix_of(T, exact.rows()), exact);
+    if (in_order)
+      EXPECT_LT(error, 1e-11);
+    else
+      EXPECT_GT(error, 1e-3) << "fill was expected here";
+  }
+}
+
+// (Δ + U)ᵀ Δ⁻¹ (Δ + U) is A wherever A has a block, and wrong only where the fill was dropped.
+TEST_F(IC, IsExactOnThePattern) {
+  const std::vector<Pin> pins = {0, Pin(12, all_but(Vec3(1, 2, 2) / 3)),
+                                 Pin(20, only(Vec3::UnitZ()))};
+  const BlockMatrix A = matrix(make_grid({1, 1}, {6, 6}, Diagonals::alternating), pins);
+  IncompleteCholesky T(A, pins);
+  T.set(A);
+  EXPECT_EQ(T.shift, 0);
+  const MatX full = closed(cloth, dense(A));
+  const MatX off = matrix_of(T, full.rows()).inverse() - full;
+  EXPECT_GT(off.norm(), 1e-3 * full.norm()) << "nothing was dropped";
+  BlockMatrix ones = A;
+  for (Mat3& block : ones.diagonal) block.setOnes();
+  for (Mat3& block : ones.upper) block.setOnes();
+  EXPECT_LT(off.cwiseProduct(dense(ones)).norm(), 1e-11 * full.norm());
+}
+
+// Kershaw's matrix (1978): positive definite, but without its fill the last pivot is negative.
+TEST_F(IC, BeginsAgainWithMoreOnTheDiagonalWhenAPivotIsLost) {
+  BlockMatrix A = make_block_matrix(4, {{0, 1}, {1, 2}, {2, 3}, {0, 3}});
+  for (Mat3& block : A.diagonal) block = 3 * Mat3::Identity();
+  for (int i : {0, 1, 2}) A.upper[size_t(A.slot(i, i + 1))] = -2 * Mat3::Identity();
+  A.upper[size_t(A.slot(0, 3))] = 2 * Mat3::Identity();
+  const MatX full = dense(A);
+  ASSERT_TRUE(positive_definite(full));
+  IncompleteCholesky T(A, {});
+  T.set(A);
+  EXPECT_GT(T.shift, 0.01);
+  EXPECT_LT(T.shift, 1);
+  const MatX inverse = matrix_of(T, 12);
+  EXPECT_LT((inverse - inverse.transpose()).norm(), 1e-13 * inverse.norm());
+  EXPECT_TRUE(positive_definite(inverse));
+  // On the pattern it is exact for A + shift diag(A).
+  EXPECT_NEAR(inverse.inverse()(0, 3), -2, 1e-12);
+  EXPECT_NEAR(inverse.inverse()(11, 11), 3 * (1 + T.shift), 1e-12);
+
+  for (Mat3& block : A.upper) block *= 0.1;  // and forgets it for the next matrix
+  T.set(A);
+  EXPECT_EQ(T.shift, 0);
+}
+
+// No shift helps a matrix with a negative diagonal. T is symmetric and definite all the same.
+TEST_F(IC, IsTheIdentityForAMatrixThatNoShiftMakesDefinite) {
+  BlockMatrix A = make_block_matrix(2, {{0, 1}});
+  A.diagonal = {Mat3::Identity(), -Mat3::Identity()};
+  A.upper[0].setOnes();
+  IncompleteCholesky T(A, {});
+  T.set(A);
+  EXPECT_EQ(matrix_of(T, 6), MatX::Identity(6, 6));
+}
+
+std::string refusal(const char* name, const std::optional<Grid>& grid) {
+  try {
+    make_preconditioner(name, {}, {}, grid);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MakePreconditioner, RefusesWithWhatToUseInstead) {
+  const auto has = [](const std::string& text, const char* part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  has(refusal("magic", {}), "--preconditioner magic: must be none, jacobi, block, ic or multigrid");
+  has(refusal("multigrid", {}), "the cloth is a mesh");
+  has(refusal("multigrid", {}), "use --preconditioner ic");
+  for (const std::array<int, 2> cells : {std::array{7, 7}, {8, 7}, {7, 8}, {1, 1}}) {
+    const std::string text = refusal("multigrid", Grid{cells, Diagonals::same});
+    has(text, (std::to_string(cells[0]) + " x " + std::to_string(cells[1])).c_str());
+    has(text, "cannot be halved");
+    has(text, "use --preconditioner ic");
+  }
+  const std::string text = refusal("multigrid", Grid{{100, 100}, Diagonals::same});
+  has(text, "halving 100 x 100 cells ends at 25 x 25");
+  has(text, "use --preconditioner ic");
+}
+
+}  // namespace
