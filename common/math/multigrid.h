@@ -4,10 +4,10 @@
 //   s += S P A_c⁻¹ Pᵀ (r − A s)        correct on the grid of half as many cells
 //   s += (Δ + Lᵀ)⁻¹ (r − A s)          smooth, backwards: that makes the cycle symmetric
 //
-// P interpolates along the edges of the coarse grid, A_c = Pᵀ A P (Galerkin), and A_c⁻¹ is the same cycle
-// again, down to a grid that cannot be halved; that is solved densely. Smoothing takes out what is
-// rough, and what is smooth looks rough on a coarser grid. A direction that pins hold at all fine vertices
-// around a coarse one has nothing in A_c: it counts as held there.
+// P interpolates along the edges of the coarse grid, A_c = Pᵀ A P (Galerkin), and A_c⁻¹ is the same
+// cycle again, down to a grid that cannot be halved; that is solved densely. Smoothing takes out what
+// is rough, and what is smooth looks rough on a coarser grid. Where pins hold all fine vertices around
+// a coarse one, nothing of it is left in A_c: it counts as held itself.
 #pragma once
 #include <Eigen/Cholesky>
 

@@ -1,6 +1,6 @@
 // Preconditioners for conjugate gradients: s = T r with a symmetric positive definite T that is near
-// A⁻¹ and cheap. Each divides by an approximation of A, where pins hold by one, so that T maps what
-// the pins leave free onto itself.
+// A⁻¹ and cheap. Each divides by an approximation of A; all but Jacobi's, which knows no oblique
+// direction, divide by one where pins hold, so that T maps what the pins leave free onto itself.
 #pragma once
 #include <memory>
 #include <optional>
