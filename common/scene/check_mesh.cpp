@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <map>
 
 #include "scene/bad_input.h"
+#include "scene/hinges.h"
 #include "scene/mesh.h"
 
 namespace {
@@ -20,20 +20,6 @@ void check_face(const Mesh& mesh, size_t face, const std::string& source) {
                            std::to_string(f[2]) + ", all counted from 0) ";
   if (!has_three_vertices(f)) throw BadInput(name + "must have three different vertices");
   if (!has_area(mesh.rest[face])) throw BadInput(name + "has no area at rest; take it out");
-}
-
-// An edge between two triangles can bend; between three, cloth has no rest shape and no bend.
-void check_edges(const Mesh& mesh, const std::string& source) {
-  std::map<std::pair<int, int>, int> faces_on;
-  for (const Face& f : mesh.faces)
-    for (size_t c = 0; c < 3; ++c) {
-      const auto [i, j] = std::minmax(f[c], f[(c + 1) % 3]);
-      if (++faces_on[{i, j}] > 2)
-        throw BadInput(
-            source + ": the edge between vertices " + std::to_string(i) + " and " +
-            std::to_string(j) +
-            " (counted from 0) has more than two faces; cloth has one or two on an edge");
-    }
 }
 
 // A vertex without a face would have no mass.
@@ -58,6 +44,6 @@ bool has_area(const std::array<Vec2, 3>& uv) {
 
 void check(const Mesh& mesh, const std::filesystem::path& source) {
   for (size_t face = 0; face < mesh.faces.size(); ++face) check_face(mesh, face, source.string());
-  check_edges(mesh, source.string());
+  find_edges(mesh.faces, source.string());
   check_vertices(mesh, source.string());
 }

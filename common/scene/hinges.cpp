@@ -99,8 +99,11 @@ MeshEdges find_edges(const std::vector<Face>& faces, const std::string& source) 
 }
 
 std::vector<Hinge> make_hinges(const Mesh& mesh) {
-  return for_each_hinge(mesh, [](const InteriorEdge& edge, const auto& flap0, const auto& flap1) {
-    return Hinge{edge.vertices, 0, shape(flap0, flap1)};
+  return for_each_hinge(mesh, [&](const InteriorEdge& edge, const auto& flap0, const auto& flap1) {
+    Hinge hinge{edge.vertices, 0, shape(flap0, flap1)};
+    const auto [face0, face1] = edge.faces;
+    if (!mesh.rests_flat(face0) || !mesh.rests_flat(face1)) rest_at(mesh.x, {&hinge, 1});
+    return hinge;
   });
 }
 
@@ -116,6 +119,6 @@ std::vector<Spring> make_bend_springs(const Mesh& mesh) {
   });
 }
 
-void rest_at(const VecX& x, std::vector<Hinge>& hinges) {
+void rest_at(const VecX& x, std::span<Hinge> hinges) {
   for (Hinge& hinge : hinges) hinge.rest_angle = angle(make_fold(gather(hinge, x)));
 }

@@ -1,5 +1,6 @@
 // Which triangles share an edge, and what bends there.
 #pragma once
+#include <span>
 #include <string>
 
 #include "math/hinge.h"
@@ -22,10 +23,11 @@ struct MeshEdges {
 // edges on the boundary. Throws BadInput, naming `source`, for an edge with more than two faces.
 MeshEdges find_edges(const std::vector<Face>&, const std::string& source = "mesh");
 
-// The elements of the four models (math/bend_model.h), for a rest shape that is flat.
+// The elements of the four models (math/bend_model.h). A hinge rests flat where both of its faces do, and
+// else as it lies in the mesh; quadratic ones and springs always rest flat.
 std::vector<Hinge> make_hinges(const Mesh&);
 std::vector<QuadraticHinge> make_quadratic_hinges(const Mesh&);
 std::vector<Spring> make_bend_springs(const Mesh&);
 
-// For a rest shape in space: the angles at rest are those at x.
-void rest_at(const VecX& x, std::vector<Hinge>&);
+// The angles at rest are those at x.
+void rest_at(const VecX& x, std::span<Hinge>);

@@ -31,7 +31,6 @@ void add_bend(const Mesh& mesh, const Model& model, Cloth& cloth) {
     case BendModel::dihedral:
     case BendModel::bridson:
       cloth.hinges = {make_hinges(mesh), model.bend, model.bend_model};
-      if (!mesh.flat) rest_at(mesh.x, cloth.hinges.elements);
       break;
     case BendModel::quadratic:
       cloth.quadratic_hinges = {make_quadratic_hinges(mesh), model.bend};

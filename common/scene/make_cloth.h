@@ -14,8 +14,7 @@ struct Model {
   BendModel bend_model = BendModel::dihedral;
 };
 
-// A third of each triangle's mass goes to each of its corners: m_i = Σ ρ a/3. Where the mesh is not flat
-// at rest, hinges rest at the angles of its x; quadratic ones and springs rest flat.
+// A third of each triangle's mass goes to each of its corners: m_i = Σ ρ a/3.
 Cloth make_cloth(const Mesh&, const Model&);
 
 // The triangle of one face of the mesh, with the weights of its rest shape.

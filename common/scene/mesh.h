@@ -10,12 +10,13 @@
 struct Mesh {
   std::vector<Face> faces;
   std::vector<std::array<Vec2, 3>>
-      rest;                       // m, (u, v) per face corner: one vertex of a seam has several
-  VecX x;                         // m, as the grid is laid or the file says
-  bool flat = true;               // at rest; if not, what is folded in x is so at rest
-  std::optional<Grid> grid = {};  // of a mesh that make_grid made
+      rest;                         // m, (u, v) per face corner: one vertex of a seam has several
+  VecX x;                           // m, as the grid is laid or the file says
+  std::vector<bool> in_space = {};  // per face: at rest as it lies in x; empty where all are flat
+  std::optional<Grid> grid = {};    // of a mesh that make_grid made
 
   int vertices() const { return int(x.size()) / 3; }
+  bool rests_flat(int face) const { return in_space.empty() || !in_space[face]; }
 };
 
 // A grid (math/grid.h) of cells_x × cells_y cells on size_x × size_y m. Its vertex (i, j) has

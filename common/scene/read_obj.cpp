@@ -24,6 +24,11 @@ VecX positions(const tinyobj::attrib_t& file) {
   return Eigen::Map<const VecX>(file.vertices.data(), Eigen::Index(file.vertices.size()));
 }
 
+// Either all corners of a face have one or none (check_obj.h).
+bool has_uv(const Corner& corner) {
+  return corner.texcoord_index >= 0;
+}
+
 // A triangle of space, laid flat with its first edge along u.
 std::array<Vec2, 3> laid_flat(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
   const Vec3 edge = x1 - x0, side = x2 - x0;
@@ -39,7 +44,7 @@ std::array<Vec2, 3> rest_shape(const tinyobj::attrib_t& file, const Corner* corn
   const auto x = [&](int i) -> Vec3 {
     return Eigen::Map<const Vec3>(file.vertices.data() + 3 * corner[i].vertex_index);
   };
-  if (corner[0].texcoord_index >= 0) return {uv(0), uv(1), uv(2)};
+  if (has_uv(*corner)) return {uv(0), uv(1), uv(2)};
   return laid_flat(x(0), x(1), x(2));
 }
 
@@ -55,8 +60,8 @@ Mesh read_obj(const std::filesystem::path& path) {
       mesh.faces.push_back(
           {corner[0].vertex_index, corner[1].vertex_index, corner[2].vertex_index});
       mesh.rest.push_back(rest_shape(reader.GetAttrib(), corner));
+      mesh.in_space.push_back(!has_uv(*corner));
     }
-  mesh.flat = !reader.GetAttrib().texcoords.empty();
   if (mesh.faces.empty())
     throw BadInput(path.string() + ": no faces; a cloth needs v lines and triangles, f lines");
   check(mesh, path);

@@ -62,7 +62,9 @@ void read_bend(const SceneFile& scene, Model& model) {
   model.bend_model = read_bend_model(table);
   if (table.has("B") && table.has("k"))
     table.refuse("B", "k follows from B; take out one of the two");
-  if (!table.has("B")) {
+  if (!table.has("B") && !table.has("k"))
+    table.refuse_table("needs k = a number not less than 0, or B, the modulus that k follows from");
+  if (table.has("k")) {
     model.bend = Term{"bend", table.number("k", Range::not_negative)};
     return;
   }
@@ -76,17 +78,20 @@ void read_bend(const SceneFile& scene, Model& model) {
 void check_bend(const SceneFile& scene, const Mesh& mesh, const Model& model) {
   const bool rests_flat =
       model.bend_model == BendModel::quadratic || model.bend_model == BendModel::springs;
-  if (model.bend && rests_flat && !mesh.flat)
+  const bool in_space =
+      std::find(mesh.in_space.begin(), mesh.in_space.end(), true) != mesh.in_space.end();
+  if (model.bend && rests_flat && in_space)
     scene.table("bend").refuse("model",
-                               "this model rests flat, and the mesh has no texture coordinates to "
-                               "lay it flat; use dihedral or bridson, which rest as the mesh lies");
+                               "this model rests flat, and the mesh has faces without texture "
+                               "coordinates to lay them flat; use dihedral or bridson, which rest "
+                               "there as the mesh lies");
 }
 
 // Damping belongs to a term: without its k there is nothing to damp.
 void read_damping(const SceneFile& scene, Model& model) {
   if (!scene.has("damping")) return;
   const TomlTable table = scene.table("damping");
-  table.allow_only({"stretch", "shear", "bend"});
+  table.allow_only(scene.known({"stretch", "shear", "bend"}));
   for (auto [name, term] : {std::pair("stretch", &model.stretch), std::pair("shear", &model.shear),
                             std::pair("bend", &model.bend)}) {
     if (!table.has(name)) continue;

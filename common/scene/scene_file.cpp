@@ -43,7 +43,7 @@ int step_number(const std::string& program) {
 
 SceneFile::SceneFile(const std::filesystem::path& path, const std::string& program,
                      const Overrides& overrides)
-    : file(path), tables(read_toml(path)) {
+    : file(path), step(step_number(program)), tables(read_toml(path)) {
   take_out(overrides.without);
   check_tables(program);
   apply(overrides);
@@ -54,6 +54,11 @@ TomlTable SceneFile::table(const std::string& name) const {
   if (!table)
     throw BadInput(file.string() + ": the table [" + name + "] is missing; every scene needs it");
   return {file, "[" + name + "]", *table};
+}
+
+Names SceneFile::known(Names names) const {
+  std::erase_if(names, [&](const std::string& name) { return find_table(name)->step > step; });
+  return names;
 }
 
 // A term goes with its damping.
@@ -73,7 +78,6 @@ void SceneFile::take_out(const std::vector<std::string>& without) {
 }
 
 void SceneFile::check_tables(const std::string& program) const {
-  const int step = step_number(program);
   for (const auto& [key, value] : tables) {
     const std::string name(key.str()), line = location(file, value);
     const KnownTable* known = find_table(name);
@@ -83,11 +87,20 @@ void SceneFile::check_tables(const std::string& program) const {
           (value.is_table() ? "table [" + name + "]" : "key " + name + " outside of the tables") +
           "; " + valid_names(name, tables_of(step)));
     if (!value.is_table()) throw BadInput(line + name + " must be one table, [" + name + "]");
-    if (known->step > step)
-      throw BadInput(line + program + " does not model [" + name + "]; " + steps[known->step - 1] +
-                     " does. --without " + name + " runs the scene without it");
+    check_step(program, name, value);
   }
+  if (const toml::table* damping = tables["damping"].as_table())
+    for (const auto& [key, value] : *damping)
+      if (find_table(key.str())) check_step(program, std::string(key.str()), value);
   if (step < 4) check_pins(program);
+}
+
+void SceneFile::check_step(const std::string& program, const std::string& name,
+                           const toml::node& value) const {
+  const int first = find_table(name)->step;
+  if (first > step)
+    throw BadInput(location(file, value) + program + " does not model [" + name + "]; " +
+                   steps[first - 1] + " does. --without " + name + " runs the scene without it");
 }
 
 // A pin that is a table belongs to the filter of conjugate gradients.
@@ -111,6 +124,20 @@ void SceneFile::apply(const Overrides& overrides) {
   if (overrides.cells) apply_cells(*overrides.cells);
 }
 
+// On other cells the number of a vertex is that of another place, or of none.
+void SceneFile::check_numbered_pins(int cells) const {
+  const toml::array* pins = tables["cloth"]["pins"].as_array();
+  if (!pins) return;
+  for (const toml::node& pin : *pins) {
+    const toml::node* vertex = pin.is_table() ? pin.as_table()->get("vertex") : &pin;
+    if (vertex && vertex->is_integer())
+      throw BadInput(location(file, *vertex) + "--cells " + std::to_string(cells) + ": pin " +
+                     std::to_string(*vertex->value<int64_t>()) +
+                     " is the number of a vertex, which on other cells lies elsewhere; pin named "
+                     "corners and edges, or change cells and pins in the scene");
+  }
+}
+
 // --cells N: N along u, and along v as many as keep the shape of the cells.
 void SceneFile::apply_cells(int cells) {
   toml::table* cloth = tables["cloth"].as_table();
@@ -122,5 +149,6 @@ void SceneFile::apply_cells(int cells) {
   const double ratio = old(0) > 0 && old(1) > 0 ? double(old(1)) / double(old(0)) : 1;
   const double along_v = std::min(cells * ratio, double(std::numeric_limits<int>::max()));
   const int64_t cells_v = cells < 1 ? cells : std::max(std::llround(along_v), 1LL);
+  if (cells != old(0) || cells_v != old(1)) check_numbered_pins(cells);
   cloth->insert_or_assign("cells", toml::array{cells, cells_v});
 }

@@ -6,21 +6,25 @@
 
 class SceneFile {
  public:
-  // Refuses tables that do not exist or that a later step teaches.
+  // Refuses tables that do not exist or that a later step teaches, and the damping of such.
   SceneFile(const std::filesystem::path& file, const std::string& program, const Overrides&);
 
   bool has(const std::string& table) const { return tables.contains(table); }
   TomlTable table(const std::string& name) const;  // refuses a scene without it
+  Names known(Names names) const;                  // without the tables of later steps
 
   const std::filesystem::path file;
 
  private:
   void take_out(const std::vector<std::string>& without);
   void check_tables(const std::string& program) const;
+  void check_step(const std::string& program, const std::string& name, const toml::node&) const;
   void check_pins(const std::string& program) const;
   void apply(const Overrides&);
   void apply_cells(int cells);
+  void check_numbered_pins(int cells) const;
 
+  int step;  // 3 of step03_implicit
   toml::table tables;
 };
 

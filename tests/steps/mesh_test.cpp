@@ -233,13 +233,13 @@ TEST_P(Garment, has_the_mass_of_its_pattern_and_comes_back_to_the_last_digit) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
   const Mesh mesh = read_obj(path);
   double area = 0;
-  std::set<std::array<double, 3>> corners;
+  std::set<std::array<double, 3>> places;
   for (size_t face = 0; face < mesh.faces.size(); ++face) {
     area += std::abs(signed_area(mesh.rest[face]));
     for (size_t c = 0; c < 3; ++c)
-      corners.insert({double(mesh.faces[face][c]), mesh.rest[face][c].x(), mesh.rest[face][c].y()});
+      places.insert({double(mesh.faces[face][c]), mesh.rest[face][c].x(), mesh.rest[face][c].y()});
   }
-  EXPECT_GT(int(corners.size()), mesh.vertices()) << "a seam vertex has several rest positions";
+  EXPECT_GT(int(places.size()), mesh.vertices()) << "a seam vertex has several rest positions";
   EXPECT_NEAR(total_mass(make_cloth(mesh, {.density = 0.2})), 0.2 * area, 1e-12);
   write_obj(directory / "out.obj", mesh, mesh.x);
   EXPECT_LE((read_obj(directory / "out.obj").x - mesh.x).cwiseAbs().maxCoeff(), last_digit);

@@ -230,6 +230,21 @@ TEST_F(SceneRefusals, tables_of_pins_belong_to_step04_on) {
     EXPECT_EQ(refusal(pinned, program), "accepted");
 }
 
+TEST_F(SceneRefusals, other_cells_have_no_pins_of_these_numbers) {
+  const auto with_cells = [&](const std::string& pins, int cells) {
+    return refusal(with_line(4, "density = 1\npins = [\"top\",\n" + pins + "]"), "step04_cg",
+                   {.cells = cells});
+  };
+  for (const char* pin : {"4", "{vertex = 4, fix = 'x'}"}) {
+    for (const int cells : {1, 4})
+      expect_says(with_cells(pin, cells),
+                  {"scene.toml:6: --cells " + std::to_string(cells) + ": pin 4 is the number of a ",
+                   "named corners and edges"});
+    EXPECT_EQ(with_cells(pin, 2), "accepted") << "these are its own";
+  }
+  EXPECT_EQ(with_cells("{vertex = 'bottom', fix = 'x'}", 5), "accepted");
+}
+
 TEST_F(SceneRefusals, a_mesh_has_no_named_pins_no_shape_and_no_cells) {
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const std::string mesh = "[cloth]\nmesh = \"m.obj\"\ndensity = 1\n[time]\nh = 1\nend = 1\n";
