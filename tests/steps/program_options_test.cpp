@@ -10,9 +10,9 @@ namespace {
 
 class OptionsTest : public ProgramTest {
  protected:
-  // A short run of the program's own scene on few cells, in a directory of its own.
-  std::filesystem::path results(const std::string& out, const Arguments& more) const {
-    Arguments arguments = {"--end", "0.05", "--out", out};
+  // A short run of the square metre on few cells, in a directory of its own.
+  std::filesystem::path results(const std::string& out, int cells, const Arguments& more) const {
+    Arguments arguments = small_square(cells, {"--end", "0.05", "--out", out});
     arguments.insert(arguments.end(), more.begin(), more.end());
     expect_done(arguments);
     return directory / out;
@@ -52,14 +52,14 @@ TEST_P(OptionsTest, version_is_one_line_with_the_name_of_the_program) {
 }
 
 TEST_P(OptionsTest, results_go_to_a_directory_named_after_the_program) {
-  expect_done({"--cells", "4", "--end", "0.01", "--no-pictures"});
+  expect_done(small_square(4, {"--end", "0.01", "--no-pictures"}));
   EXPECT_EQ(files_in(directory), std::vector<std::string>{"out"});
   EXPECT_EQ(files_in(directory / "out"), std::vector<std::string>{GetParam().name});
 }
 
 TEST_P(OptionsTest, export_writes_one_mesh_per_frame) {
   const std::filesystem::path out =
-      results("out", {"--cells", "6", "--frames", "4", "--export", "obj", "--no-pictures"});
+      results("out", 6, {"--frames", "4", "--export", "obj", "--no-pictures"});
   EXPECT_EQ(count_starting(files_in(out), "frame_", ".obj"), 5);
   double y_before = 1;
   for (int frame = 0; frame <= 4; ++frame) {
@@ -73,7 +73,7 @@ TEST_P(OptionsTest, export_writes_one_mesh_per_frame) {
 }
 
 TEST_P(OptionsTest, frames_end_and_cells_replace_those_of_the_scene) {
-  expect_done({"--cells", "5", "--frames", "3", "--end", "0.02", "--no-pictures", "--out", "out"});
+  expect_done(small_square(5, {"--frames", "3", "--end", "0.02", "--no-pictures", "--out", "out"}));
   const Table log = read_table(directory / "out/log.csv");
   EXPECT_EQ(log.at("frame"), (std::vector<double>{0, 1, 2, 3}));
   EXPECT_NEAR(log.at("time").back(), 0.02, 1e-12);
@@ -82,23 +82,21 @@ TEST_P(OptionsTest, frames_end_and_cells_replace_those_of_the_scene) {
 
 TEST_P(OptionsTest, h_replaces_that_of_the_scene) {
   const auto said = [&](const char* h) {
-    return run({"--cells", "5", "--end", "0.02", "--h", h, "--no-pictures"}).out;
+    return run(small_square(5, {"--end", "0.02", "--h", h, "--no-pictures"})).out;
   };
   EXPECT_NE(said("0.0001").find("h = 0.0001 s, 200 steps"), std::string::npos);
   EXPECT_NE(said("0.00005").find("h = 5e-05 s, 400 steps"), std::string::npos);
 }
 
 TEST_P(OptionsTest, without_gravity_a_flat_cloth_stays_where_it_is) {
-  const std::filesystem::path out =
-      results("out", {"--cells", "5", "--without", "gravity", "--no-pictures"});
+  const std::filesystem::path out = results("out", 5, {"--without", "gravity", "--no-pictures"});
   const Table log = read_table(out / "log.csv");
   EXPECT_NEAR(log.at("lowest").back(), 0, 1e-12);
   EXPECT_EQ(log.at("gravitational").back(), 0);
 }
 
 TEST_P(OptionsTest, without_a_term_its_column_is_gone) {
-  const std::filesystem::path out =
-      results("out", {"--cells", "5", "--without", "shear", "--no-pictures"});
+  const std::filesystem::path out = results("out", 5, {"--without", "shear", "--no-pictures"});
   const Table log = read_table(out / "log.csv");
   EXPECT_EQ(log.count("shear"), 0u);
   EXPECT_EQ(log.count("stretch"), 1u);
@@ -109,9 +107,9 @@ TEST_P(OptionsTest, each_look_draws_another_picture_of_the_asked_size) {
       {}, {"--strain", "0.1"}, {"--wireframe"}, {"--caption"}, {"--strain", "0.01"}};
   std::vector<Image> frames, stills;
   for (size_t look = 0; look < looks.size(); ++look) {
-    Arguments arguments = {"--cells", "8", "--frames", "2", "--size", "160x90"};
+    Arguments arguments = {"--frames", "2", "--size", "160x90"};
     arguments.insert(arguments.end(), looks[look].begin(), looks[look].end());
-    const std::filesystem::path out = results("look" + std::to_string(look), arguments);
+    const std::filesystem::path out = results("look" + std::to_string(look), 8, arguments);
     EXPECT_TRUE(exists(out / "film.png"));
     frames.push_back(read_png(out / "frame_0002.png"));
     stills.push_back(read_png(out / "still.png"));
@@ -130,8 +128,7 @@ TEST_P(OptionsTest, each_look_draws_another_picture_of_the_asked_size) {
 
 // The film shows the start, the end and the frames between: more of the picture than one frame.
 TEST_P(OptionsTest, film_holds_all_frames_of_a_short_run) {
-  const std::filesystem::path out =
-      results("out", {"--cells", "8", "--frames", "3", "--size", "160x90"});
+  const std::filesystem::path out = results("out", 8, {"--frames", "3", "--size", "160x90"});
   const Image film = read_png(out / "film.png");
   EXPECT_GE(film.width, 4 * 160);
   EXPECT_LT(film.height, 2 * 90);
@@ -139,8 +136,8 @@ TEST_P(OptionsTest, film_holds_all_frames_of_a_short_run) {
 
 // … and neither when nor where: the same run gives the same bytes on every day and machine.
 TEST_P(OptionsTest, pictures_say_what_made_them) {
-  const std::filesystem::path out = results(
-      "out", {"--cells", "8", "--frames", "2", "--h", "0.0001", "--size", "160x90", "--caption"});
+  const std::filesystem::path out =
+      results("out", 8, {"--frames", "2", "--h", "0.0001", "--size", "160x90", "--caption"});
   const std::vector<std::pair<std::string, std::string>> pictures = {
       {"frame_0001.png", "0.025 s"}, {"frame_0002.png", "0.05 s"}, {"film.png", "0.05 s"}};
   for (const auto& [file, time] : pictures) {

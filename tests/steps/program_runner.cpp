@@ -54,6 +54,12 @@ std::filesystem::path StepProgram::scene() const {
   return std::filesystem::path(SOURCE_DIRECTORY) / name / "scene.toml";
 }
 
+std::filesystem::path StepProgram::square() const {
+  const std::filesystem::path other =
+      std::filesystem::path(SOURCE_DIRECTORY) / "tests/steps/squares" / name / "scene.toml";
+  return exists(other) ? other : scene();
+}
+
 std::vector<StepProgram> programs() {
   std::vector<StepProgram> list;
   for (const std::filesystem::path path : split(PROGRAMS, ':'))
@@ -178,6 +184,12 @@ void ProgramTest::expect_done(const Arguments& arguments) const {
   const Outcome outcome = run(arguments);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
+}
+
+Arguments ProgramTest::small_square(int cells, const Arguments& more) const {
+  Arguments arguments = {GetParam().square(), "--cells", std::to_string(cells)};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
 }
 
 std::string read_all(const std::filesystem::path& path) {

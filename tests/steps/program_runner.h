@@ -19,6 +19,10 @@ struct StepProgram {
   bool is_explicit() const { return number() <= 2; }
   bool is_iterative() const { return number() >= 4; }
   std::filesystem::path scene() const;  // its own scene.toml
+
+  // A square metre of 40 × 40 cells that falls, hung by two corners: its own scene, or where that is
+  // another one, squares/…/scene.toml here.
+  std::filesystem::path square() const;
 };
 inline void PrintTo(const StepProgram& program, std::ostream* out) {
   *out << program.name;
@@ -80,6 +84,9 @@ class ProgramTest : public ProgramDirectory, public testing::WithParamInterface<
     return ProgramDirectory::run(GetParam(), arguments, largest_file);
   }
   void expect_done(const Arguments&) const;  // exit code 0, and nothing on the standard error
+
+  // The program's square metre on so many cells: small enough for many runs.
+  Arguments small_square(int cells, const Arguments& more) const;
 };
 
 std::string read_all(const std::filesystem::path&);

@@ -34,7 +34,7 @@ class StopsTest : public ProgramTest {
   void expect_full_disk(long bytes, const std::string& file, const Arguments& more) const {
     SCOPED_TRACE(file);
     std::filesystem::remove_all(directory / "out");
-    Arguments arguments = {"--cells", "8", "--end", "0.02", "--out", "out"};
+    Arguments arguments = small_square(8, {"--end", "0.02", "--out", "out"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome full = run(arguments, bytes);
     EXPECT_EQ(full.code, 1);
@@ -62,7 +62,7 @@ TEST_P(StopsTest, full_disk_is_named_with_file_and_reason_and_leaves_no_part_of_
 
 // Where not even the header of log.csv fits, nothing has started.
 TEST_P(StopsTest, disk_that_is_full_from_the_start_is_refused) {
-  const Outcome full = run({"--cells", "8", "--out", "out"}, 0);
+  const Outcome full = run(small_square(8, {"--out", "out"}), 0);
   EXPECT_NE(full.code, 0);
   EXPECT_EQ(lines_of(full.err).size(), 1u) << full.err;
   EXPECT_NE(full.err.find("out: File too large"), std::string::npos) << full.err;
@@ -71,13 +71,13 @@ TEST_P(StopsTest, disk_that_is_full_from_the_start_is_refused) {
 
 // … and the --h that it names works.
 TEST_P(ExplosionTest, beyond_the_stable_step_it_breaks_off_and_says_what_to_try) {
-  const Arguments scene = {"--cells", "16", "--end", "1", "--frames", "100", "--size", "80x45"};
+  const Arguments scene = small_square(16, {"--end", "1", "--frames", "100", "--size", "80x45"});
   const auto with_h = [&](double h, const std::string& out) {
     Arguments arguments = scene;
     arguments.insert(arguments.end(), {"--h", text_of(h), "--out", out});
     return arguments;
   };
-  const Outcome stable = run({"--cells", "16", "--end", "0.001", "--no-pictures"});
+  const Outcome stable = run(small_square(16, {"--end", "0.001", "--no-pictures"}));
   const double h_crit = critical_step_of(stable.out);
   ASSERT_GT(h_crit, 1e-4) << stable.out;
 
@@ -120,7 +120,8 @@ TEST_P(StopsTest, ctrl_c_finishes_the_log_the_film_and_the_last_state) {
   for (const int signal : {SIGINT, SIGTERM}) {
     std::filesystem::remove_all(directory / "out");
     Running running(GetParam().path,
-                    {"--end", "1000", "--frames", "9999", "--size", "80x45", "--out", "out"},
+                    {GetParam().square(), "--end", "1000", "--frames", "9999", "--size", "80x45",
+                     "--out", "out"},
                     directory);
     ASSERT_TRUE(running.wait_for_output("frame 2 of", 60));
     running.send(signal);
