@@ -31,6 +31,15 @@ struct DenseCondition {
   MatX H;
 };
 
+// ∂y_m/∂x_i. The y of a hinge are its vertices; that they are seen from one of them changes no C.
+template <class Element>
+double weight(const Element& e, int m, int i) {
+  return e.weight(m, i);
+}
+inline double weight(const Hinge&, int m, int i) {
+  return m == i ? 1 : 0;
+}
+
 // y = W x, so that g = Wᵀ ∂C/∂y and H = Wᵀ ∂²C/∂y² W.
 template <class Family>
 void add_dense_conditions(const Family& family, const VecX& x, std::vector<DenseCondition>& all) {
@@ -38,7 +47,7 @@ void add_dense_conditions(const Family& family, const VecX& x, std::vector<Dense
     MatX W = MatX::Zero(3 * Family::Y, x.size());
     for (int m = 0; m < Family::Y; ++m)
       for (int i = 0; i < Family::N; ++i)
-        W.block<3, 3>(3 * m, 3 * e.vertices[i]).diagonal().setConstant(e.weight(m, i));
+        W.block<3, 3>(3 * m, 3 * e.vertices[i]).diagonal().setConstant(weight(e, m, i));
     const VecX flat = W * x;
     Vecs<Family::Y> y;
     for (int m = 0; m < Family::Y; ++m) y[m] = flat.segment<3>(3 * m);
@@ -60,6 +69,8 @@ inline std::vector<DenseCondition> dense_conditions(const Cloth& cloth, const Ve
   std::vector<DenseCondition> all;
   add_dense_conditions(cloth.triangles, x, all);
   add_dense_conditions(cloth.springs, x, all);
+  add_dense_conditions(cloth.hinges, x, all);
+  add_dense_conditions(cloth.quadratic_hinges, x, all);
   return all;
 }
 
