@@ -128,7 +128,8 @@ inline void conjugate_gradients(const Cloth& cloth, System& system) {
     system.T->apply(r, s);
     filter(cloth, s);
     const double delta = r.dot(s), scale = dv.cwiseAbs2().dot(cloth.mass);
-    if (delta <= system.method.tolerance * system.method.tolerance * scale) return;
+    const double enough = system.method.tolerance * system.method.tolerance * scale;
+    if (delta >= 0 && delta <= enough) return;
     c = s + delta / delta_before * c;
     system.A.multiply(c, q);
     filter(cloth, q);

@@ -225,7 +225,6 @@ void Multigrid::cycle(size_t number) {
   for (int i = 0; i < A.rows(); ++i)
     for (const auto& [parent, weight] : level.parents[i])
       s.segment<3>(3 * i) += weight * coarse.s.segment<3>(3 * parent);
-  level.pinned.filter(s);
 
   // Backwards: (Δ + Lᵀ) s_new = r − L s.
   t = r;

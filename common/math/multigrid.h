@@ -1,7 +1,7 @@
 // Geometric multigrid for grids, as a preconditioner: one V-cycle with A = L + Δ + Lᵀ.
 //
 //   s  = (Δ + L)⁻¹ r                   smooth: block Gauss–Seidel, forwards from zero
-//   s += S P A_c⁻¹ Pᵀ (r − A s)        correct on the grid of half as many cells
+//   s += P A_c⁻¹ Pᵀ (r − A s)          correct on the grid of half as many cells
 //   s += (Δ + Lᵀ)⁻¹ (r − A s)          smooth, backwards: that makes the cycle symmetric
 //
 // P interpolates along the edges of the coarse grid, A_c = Pᵀ A P (Galerkin), and A_c⁻¹ is the same

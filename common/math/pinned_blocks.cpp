@@ -20,8 +20,3 @@ void PinnedBlocks::cut(BlockMatrix& A) const {
 void PinnedBlocks::close(BlockMatrix& A) const {
   for (const Pin& pin : pins) A.diagonal[pin.vertex] += Mat3::Identity() - pin.S;
 }
-
-void PinnedBlocks::filter(VecX& r) const {
-  for (const Pin& pin : pins)
-    r.segment<3>(3 * pin.vertex) = pin.S * r.segment<3>(3 * pin.vertex).eval();
-}

@@ -9,7 +9,6 @@ class PinnedBlocks {
 
   void cut(BlockMatrix& A) const;    // A ← S A S, where S is the identity but at the pins
   void close(BlockMatrix& A) const;  // A ← A + I − S: definite again
-  void filter(VecX& r) const;        // r ← S r
 
  private:
   struct Side {

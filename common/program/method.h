@@ -12,6 +12,6 @@ struct Method {
   std::string solver = "ldlt";  // or "inverse", "cholmod"
 
   std::string preconditioner = "block";  // or "none", "jacobi", "ic", "multigrid"
-  double tolerance = 1e-2;               // of conjugate gradients: √(rᵀ T r) / |Δv|_M
+  double tolerance = 1e-4;               // of conjugate gradients: √(rᵀ T r) / |Δv|_M
   int max_iterations = 10000;            // in one system
 };

@@ -270,6 +270,22 @@ TEST(Jacobi, DividesByTheDiagonal) {
   EXPECT_GT(multiplied, 3 * divided);
 }
 
+// T = −1: rᵀ T r is less than any tolerance asks for, and nothing is solved.
+class Negative : public Preconditioner {
+ public:
+  void set(const BlockMatrix&) override {}
+  void apply(const VecX& r, VecX& s) override { s = -r; }
+};
+
+TEST(Preconditioner, OneThatIsNotDefiniteIsCountedAndDoesNotPassForSolved) {
+  const PinnedSheet sheet(149, Diagonals::same, {4, 4});
+  step04::System system(sheet.cloth, cg("none", 1e-4));
+  system.T = std::make_unique<Negative>();
+  State state = sheet.state;
+  step04::time_step(sheet.cloth, sheet.h, state, system);
+  EXPECT_EQ(system.indefinite, 1);
+}
+
 // 1 m², k = 1e4 N/m, h = 0.01 s, hung by two corners, 20 steps after the flat start.
 struct Hanging {
   explicit Hanging(int n) : cells(n) {
