@@ -1,14 +1,12 @@
 // What one evaluation of all forces costs per triangle, in the three ways of three_ways.h.
 //
-// Google Benchmark gives the absolute times, the table after it the ratios. Ratios come from interleaved
-// runs, each round doing one after the other, so that a busy machine slows all three alike.
+// Google Benchmark gives the absolute times, the table after it the ratios.
 #include <benchmark/benchmark.h>
-#include <time.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
+#include "cpu_time.h"
 #include "three_ways.h"
 
 namespace {
@@ -45,23 +43,12 @@ BENCHMARK_TEMPLATE(forces, Ours)->Arg(32)->Arg(64)->Arg(128)->Arg(256);
 BENCHMARK_TEMPLATE(forces, Transcribed)->Arg(32)->Arg(64)->Arg(128)->Arg(256);
 BENCHMARK_TEMPLATE(forces, Differentiated)->Arg(32)->Arg(64)->Arg(128)->Arg(256);
 
-double thread_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + long(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
 template <class Way>
 double ns_per_triangle(Way& way, const Sheet& sheet) {
   const size_t evaluations = std::max<size_t>(1, 200000 / sheet.triangles());
-  const double start = thread_seconds();
+  const double start = cpu_seconds();
   for (size_t i = 0; i < evaluations; ++i) benchmark::DoNotOptimize(way.forces(sheet.state).data());
-  return 1e9 * (thread_seconds() - start) / double(evaluations * sheet.triangles());
+  return 1e9 * (cpu_seconds() - start) / double(evaluations * sheet.triangles());
 }
 
 // All that is measured at one size, with the times of every round.
@@ -81,13 +68,6 @@ struct Measured {
   std::vector<double> ours_ns, notes_ns, autodiff_ns;
 };
 
-// The ratio of each round, and of these the median.
-double ratio(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> ratios;
-  for (size_t round = 0; round < a.size(); ++round) ratios.push_back(a[round] / b[round]);
-  return median(ratios);
-}
-
 void print_summary() {
   constexpr int rounds = 15;
   std::array<Measured, sizes.size()> measured = {Measured(sizes[0]), Measured(sizes[1]),
@@ -103,9 +83,9 @@ void print_summary() {
   for (size_t i = 0; i < sizes.size(); ++i) {
     const Measured& m = measured[i];
     std::printf("%3d x %-3d %7.1f %11.2f %7.1f %12.2f %9.1f %15.2f\n", sizes[i], sizes[i],
-                median(m.ours_ns), ratio(m.ours_ns, measured[1].ours_ns), median(m.notes_ns),
-                ratio(m.notes_ns, m.ours_ns), median(m.autodiff_ns),
-                ratio(m.autodiff_ns, m.ours_ns));
+                median(m.ours_ns), median_ratio(m.ours_ns, measured[1].ours_ns), median(m.notes_ns),
+                median_ratio(m.notes_ns, m.ours_ns), median(m.autodiff_ns),
+                median_ratio(m.autodiff_ns, m.ours_ns));
   }
   std::printf(
       "\nAs it should be: notes / ours above 0.77, autodiff / ours above 1, and the cost at "

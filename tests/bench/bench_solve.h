@@ -1,0 +1,15 @@
+// The parts of bench_solve. Each prints a table and says whether its counts are as they should be;
+// times are for reading.
+#pragma once
+#include <cstdio>
+#include <functional>
+
+bool bench_product();
+bool bench_step();
+bool bench_growth();
+bool bench_warm();
+
+inline bool require(bool holds, const char* what) {
+  if (!holds) std::printf("NOT as it should be: %s\n", what);
+  return holds;
+}

@@ -1,0 +1,79 @@
+// The usual way to a system matrix, for comparison: for every condition of a triangle the nine 3 × 3
+// blocks that the notes write down, as triplets into a sparse matrix.
+#pragma once
+#include <Eigen/SparseCore>
+
+#include "scene/cloth.h"
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+// f, and every block (i, j) of K and of D to add(i, j, K_ij, D_ij), as the notes write it.
+template <class Add>
+void notes_blocks(const Cloth& cloth, const State& state, VecX& f, const Add& add) {
+  f.setZero();
+  for (int i = 0; i < cloth.vertices(); ++i)
+    f.segment<3>(3 * i) = cloth.mass[3 * i] * *cloth.gravity;
+  for (const Triangle& t : cloth.triangles.elements) {
+    const Vecs<2> w = gather(t, state.x);
+    cloth.triangles.conditions(t, w, [&](const Term& term, const auto& c, const auto& second) {
+      constexpr int M = int(std::tuple_size_v<std::decay_t<decltype(c.dCdy)>>);
+      const double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
+      const Mats<M> H = kept != 0 ? second() : zero_matrices<M>();
+      Vecs<3> g = zero_vectors<3>();
+      double Cdot = 0;
+      for (int i = 0; i < 3; ++i) {
+        for (int m = 0; m < M; ++m) g[size_t(i)] += t.weight(c.first + m, i) * c.dCdy[size_t(m)];
+        Cdot += g[size_t(i)].dot(state.v.segment<3>(3 * t.vertices[size_t(i)]));
+      }
+      for (int i = 0; i < 3; ++i) {
+        f.segment<3>(3 * t.vertices[size_t(i)]) -= (term.k * c.C + term.kd * Cdot) * g[size_t(i)];
+        for (int j = 0; j < 3; ++j) {
+          const Mat3 ggT = g[size_t(i)] * g[size_t(j)].transpose();
+          Mat3 K = -term.k * ggT;
+          if (kept != 0)
+            for (int m = 0; m < M; ++m)
+              for (int n = 0; n < M; ++n)
+                K -= kept * t.weight(c.first + m, i) * t.weight(c.first + n, j) *
+                     H[size_t(m)][size_t(n)];
+          add(t.vertices[size_t(i)], t.vertices[size_t(j)], K, Mat3(-term.kd * ggT));
+        }
+      }
+    });
+  }
+}
+
+// f, K, D and A = M − h D − h² K from triplets; `entries` keep their memory from step to step.
+struct FromTriplets {
+  FromTriplets(const Cloth& cloth_, double h_) : cloth(cloth_), h(h_), f(cloth.mass.size()) {
+    for (Sparse* matrix : {&K, &D, &M}) matrix->resize(f.size(), f.size());
+    for (int i = 0; i < f.size(); ++i) K_entries.emplace_back(i, i, cloth.mass[i]);
+    M.setFromTriplets(K_entries.begin(), K_entries.end());
+  }
+  void assemble(const State& state) {
+    K_entries.clear(), D_entries.clear();
+    notes_blocks(cloth, state, f, [&](int i, int j, const Mat3& K_ij, const Mat3& D_ij) {
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) {
+          K_entries.emplace_back(3 * i + r, 3 * j + c, K_ij(r, c));
+          D_entries.emplace_back(3 * i + r, 3 * j + c, D_ij(r, c));
+        }
+    });
+    K.setFromTriplets(K_entries.begin(), K_entries.end());
+    D.setFromTriplets(D_entries.begin(), D_entries.end());
+    A = M - h * D - h * h * K;
+  }
+  // What the pins hold leaves the system: their rows and columns of A become those of M.
+  void hold_pins(VecX& b) {
+    A.prune([&](Eigen::Index r, Eigen::Index c, double) {
+      return r == c || (cloth.inverse_mass[r] > 0 && cloth.inverse_mass[c] > 0);
+    });
+    for (const Pin& pin : cloth.pins) b.segment<3>(3 * pin.vertex).setZero();
+  }
+
+  const Cloth& cloth;
+  double h;
+  VecX f;
+  Triplets K_entries, D_entries;
+  Sparse K, D, A, M;
+};
