@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   const std::map<std::string, bool (*)()> parts = {{"1 product", bench_product},
                                                    {"2 step", bench_step},
                                                    {"3 growth", bench_growth},
-                                                   {"4 warm", bench_warm}};
+                                                   {"4 warm", bench_warm},
+                                                   {"5 bend", bench_bend}};
   const std::string wanted = argc == 2 ? argv[1] : "";
   bool good = true, any = false;
   for (const auto& [name, part] : parts)
@@ -21,6 +22,6 @@ int main(int argc, char** argv) {
       any = true;
       good = part() && good;
     }
-  if (!any) std::fprintf(stderr, "usage: bench_solve [product|step|growth|warm]\n");
+  if (!any) std::fprintf(stderr, "usage: bench_solve [product|step|growth|warm|bend]\n");
   return any ? !good : 2;
 }

@@ -8,6 +8,7 @@ bool bench_product();
 bool bench_step();
 bool bench_growth();
 bool bench_warm();
+bool bench_bend();
 
 inline bool require(bool holds, const char* what) {
   if (!holds) std::printf("NOT as it should be: %s\n", what);

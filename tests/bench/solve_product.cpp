@@ -2,6 +2,7 @@
 #include "bench_solve.h"
 #include "cpu_time.h"
 #include "math/grid_matrix.h"
+#include "math/poses.h"
 #include "solve_cases.h"
 
 namespace {
@@ -74,7 +75,7 @@ double product_at(int cells) {
       {"Eigen, row-major", sparse_bytes(rows),
        [&](const VecX& p, VecX& Ap) { Ap.noalias() = rows * p; }},
       {"Eigen, one half", sparse_bytes(lower), half}};
-  measure(ways, c.state.v);
+  measure(ways, Random(3).vector(int(c.state.x.size()), 1));
   for (const Way& way : ways)
     std::printf("%5d  %-21s  %9.1f  %12.0f  %11.2f\n", cells, way.name,
                 1e9 * median(way.seconds) / c.vertices(), double(way.bytes) / c.vertices(),

@@ -1,4 +1,4 @@
-// The usual way to a system matrix, for comparison: for every condition of a triangle the nine 3 × 3
+// The usual way to a system matrix, for comparison: for every condition of an element all the 3 × 3
 // blocks that the notes write down, as triplets into a sparse matrix.
 #pragma once
 #include <Eigen/SparseCore>
@@ -8,39 +8,56 @@
 using Sparse = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// f, and every block (i, j) of K and of D to add(i, j, K_ij, D_ij), as the notes write it.
+// ∂y_m/∂x_i; the vectors y of a hinge are its vertices.
+template <int N, int Y>
+double weight(const Element<N, Y>& e, int m, int i) {
+  return e.weight(m, i);
+}
+inline double weight(const Hinge&, int m, int i) {
+  return m == i;
+}
+
+// The forces of a family, and every block (i, j) of K and of D to add(i, j, K_ij, D_ij), as the notes
+// write it.
+template <class Family, class Add>
+void family_blocks(const Family& family, const State& state, VecX& f, const Add& add) {
+  constexpr int N = Family::N;
+  for (const auto& e : family.elements)
+    family.conditions(
+        e, gather(e, state.x), [&](const Term& term, const auto& c, const auto& second) {
+          constexpr int M = int(std::tuple_size_v<std::decay_t<decltype(c.dCdy)>>);
+          const double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
+          const Mats<M> H = kept != 0 ? second() : zero_matrices<M>();
+          Vecs<N> g = zero_vectors<N>();
+          double Cdot = 0;
+          for (int i = 0; i < N; ++i) {
+            for (int m = 0; m < M; ++m)
+              g[size_t(i)] += weight(e, c.first + m, i) * c.dCdy[size_t(m)];
+            Cdot += g[size_t(i)].dot(state.v.segment<3>(3 * e.vertices[size_t(i)]));
+          }
+          for (int i = 0; i < N; ++i) {
+            f.segment<3>(3 * e.vertices[size_t(i)]) -=
+                (term.k * c.C + term.kd * Cdot) * g[size_t(i)];
+            for (int j = 0; j < N; ++j) {
+              const Mat3 ggT = g[size_t(i)] * g[size_t(j)].transpose();
+              Mat3 K = -term.k * ggT;
+              if (kept != 0)
+                for (int m = 0; m < M; ++m)
+                  for (int n = 0; n < M; ++n)
+                    K -= kept * weight(e, c.first + m, i) * weight(e, c.first + n, j) *
+                         H[size_t(m)][size_t(n)];
+              add(e.vertices[size_t(i)], e.vertices[size_t(j)], K, Mat3(-term.kd * ggT));
+            }
+          }
+        });
+}
+
 template <class Add>
 void notes_blocks(const Cloth& cloth, const State& state, VecX& f, const Add& add) {
   f.setZero();
   for (int i = 0; i < cloth.vertices(); ++i)
     f.segment<3>(3 * i) = cloth.mass[3 * i] * *cloth.gravity;
-  for (const Triangle& t : cloth.triangles.elements) {
-    const Vecs<2> w = gather(t, state.x);
-    cloth.triangles.conditions(t, w, [&](const Term& term, const auto& c, const auto& second) {
-      constexpr int M = int(std::tuple_size_v<std::decay_t<decltype(c.dCdy)>>);
-      const double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
-      const Mats<M> H = kept != 0 ? second() : zero_matrices<M>();
-      Vecs<3> g = zero_vectors<3>();
-      double Cdot = 0;
-      for (int i = 0; i < 3; ++i) {
-        for (int m = 0; m < M; ++m) g[size_t(i)] += t.weight(c.first + m, i) * c.dCdy[size_t(m)];
-        Cdot += g[size_t(i)].dot(state.v.segment<3>(3 * t.vertices[size_t(i)]));
-      }
-      for (int i = 0; i < 3; ++i) {
-        f.segment<3>(3 * t.vertices[size_t(i)]) -= (term.k * c.C + term.kd * Cdot) * g[size_t(i)];
-        for (int j = 0; j < 3; ++j) {
-          const Mat3 ggT = g[size_t(i)] * g[size_t(j)].transpose();
-          Mat3 K = -term.k * ggT;
-          if (kept != 0)
-            for (int m = 0; m < M; ++m)
-              for (int n = 0; n < M; ++n)
-                K -= kept * t.weight(c.first + m, i) * t.weight(c.first + n, j) *
-                     H[size_t(m)][size_t(n)];
-          add(t.vertices[size_t(i)], t.vertices[size_t(j)], K, Mat3(-term.kd * ggT));
-        }
-      }
-    });
-  }
+  for_each_family(cloth, [&](const auto& family) { family_blocks(family, state, f, add); });
 }
 
 // f, K, D and A = M − h D − h² K from triplets; `entries` keep their memory from step to step.
