@@ -194,7 +194,7 @@ std::string growth_script(const Series& series) {
   script += ", \\\n " + line("ldlt", 7, "lt 5 dt 2", title("ldlt", "direct, LDLᵀ"));
   if (series.count("cholmod"))
     script += ", \\\n " + line("cholmod", 7, "lt 4 dt 2", title("cholmod", "direct, CHOLMOD"));
-  return script + ", \\\n 5e-6*x with lines lc rgb \"#999999\" dt 3 title \"N\"\n";
+  return script + ", \\\n 5e-6*x with lines lc rgb \"#999999\" dt 3 title \"slope of N\"\n";
 }
 
 std::string wins_script(const Series& series) {
@@ -204,7 +204,7 @@ std::string wins_script(const Series& series) {
       axes +
       "set multiplot layout 1,2\nset key top left reverse Left samplen 2\n"
       "set title \"Time of a step, by the error in Δv\"\nset ylabel \"seconds\"\n"
-      "set yrange [0.003:300]\nplot ";
+      "set yrange [0.0015:300]\nplot ";
   script += line("block 1e-06", 7, "lt 2", "block Jacobi, 10^{-6}");
   script += ", \\\n " + line("block 1e-02", 7, "lt 2 pt 4 dt 2", "block Jacobi, 10^{-2}");
   script += ", \\\n " + line("ic 1e-06", 7, "lt 3", "incomplete Cholesky, 10^{-6}");
@@ -215,7 +215,7 @@ std::string wins_script(const Series& series) {
   if (series.count("cholmod")) script += ", \\\n " + line("cholmod", 7, "lt 4", "direct, CHOLMOD");
   script +=
       "\nset title \"Memory of matrix and solver\"\nset ylabel \"bytes per vertex\"\n"
-      "set yrange [200:20000]\nplot ";
+      "set yrange [200:10000]\nplot ";
   script += line("ldlt", 9, "lt 5", "direct, LDLᵀ");
   script += ", \\\n " + line("multigrid 1e-02", 9, "lt 1", "multigrid");
   script += ", \\\n " + line("ic 1e-02", 9, "lt 3", "incomplete Cholesky");
