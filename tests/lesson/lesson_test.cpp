@@ -133,6 +133,13 @@ TEST(Lessons, TablesOfEquationsNameFunctionsThatExist) {
   }
 }
 
+TEST(Lessons, PlainConjugateGradientsArePrintedAsTheyAreTested) {
+  const std::string tested = read(source / "tests/math/plain_cg.h");
+  const size_t begin = tested.find("// Solves A x = b");
+  ASSERT_NE(begin, std::string::npos);
+  EXPECT_NE(read(source / "step04_cg/README.md").find(tested.substr(begin)), std::string::npos);
+}
+
 TEST(Lessons, ContinuousIntegrationRunsTheTestCommandOfTheReadme) {
   int commands = 0;
   for (const std::string& line : lines(read(source / "README.md")))
