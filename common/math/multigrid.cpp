@@ -125,19 +125,16 @@ BlockMatrix Multigrid::map_to_coarse(const Grid& grid) {
   });
   BlockMatrix coarse = make_block_matrix(half(grid).vertices(), std::move(pairs));
 
-  // Of the blocks (I, J) and (J, I) that come of (i, j) and its mirror image (j, i), the upper one.
+  const auto place = [&](int I, int J) { return I == J ? I : coarse.rows() + coarse.slot(I, J); };
+  // Of the blocks (I, J) and (J, I) that come of (i, j) and its mirror image (j, i), the upper one; on
+  // the diagonal both.
   for_each_block([&](int i, int j) {
     fine.share_start.push_back(int(fine.shares.size()));
     for_each_pair(i, j, [&](const Parent& I, const Parent& J) {
       const double weight = I.weight * J.weight;
-      if (I.vertex < J.vertex)
-        fine.shares.push_back({coarse.rows() + coarse.slot(I.vertex, J.vertex), false, weight});
-      else if (I.vertex == J.vertex)
-        fine.shares.push_back({I.vertex, false, weight});
-      if (i == j || I.vertex < J.vertex) return;
-      const bool on_diagonal = I.vertex == J.vertex;
-      fine.shares.push_back(
-          {on_diagonal ? I.vertex : coarse.rows() + coarse.slot(J.vertex, I.vertex), true, weight});
+      if (I.vertex <= J.vertex) fine.shares.push_back({place(I.vertex, J.vertex), false, weight});
+      if (i != j && J.vertex <= I.vertex)
+        fine.shares.push_back({place(J.vertex, I.vertex), true, weight});
     });
   });
   fine.share_start.push_back(int(fine.shares.size()));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "energy.h"
+#include "math/family_forces.h"
 #include "math/hinge.h"
 #include "poses.h"
 
@@ -81,20 +82,4 @@ inline Hinges one_hinge(const Hinge& hinge, double k, BendModel model = BendMode
   hinges.bend = Term{"bend", k};
   hinges.model = model;
   return hinges;
-}
-
-// f = −k C ∂C/∂x of one family.
-template <class Family>
-VecX family_forces(const Family& family, const VecX& x) {
-  VecX f = VecX::Zero(x.size());
-  for (const auto& element : family.elements) {
-    Vecs<Family::Y> f_y = zero_vectors<Family::Y>();
-    family.conditions(element, gather(element, x),
-                      [&](const Term& term, const auto& c, const auto&) {
-                        for (int m = 0; m < int(c.dCdy.size()); ++m)
-                          f_y[c.first + m] -= term.k * c.C * c.dCdy[m];
-                      });
-    scatter(element, f_y, f);
-  }
-  return f;
 }

@@ -2,6 +2,7 @@
 // hinge that is wound up beyond a full fold.
 #include <gtest/gtest.h>
 
+#include "math/family_forces.h"
 #include "math/poses.h"
 #include "momenta.h"
 #include "reference.h"
@@ -14,24 +15,12 @@ namespace {
 struct OnlyForces {
   VecX f;
 };
-template <class Family>
-void add_forces(const Family& family, const VecX& x, VecX& f) {
-  for (const auto& element : family.elements) {
-    Vecs<Family::Y> f_y = zero_vectors<Family::Y>();
-    family.conditions(element, gather(element, x),
-                      [&](const Term& term, const auto& c, const auto&) {
-                        for (int m = 0; m < int(c.dCdy.size()); ++m)
-                          f_y[c.first + m] -= term.k * c.C * c.dCdy[m];
-                      });
-    scatter(element, f_y, f);
-  }
-}
 void forces(const Cloth& cloth, const State& state, OnlyForces& sum) {
   sum.f.setZero(state.x.size());
   if (cloth.gravity)
     for (int i = 0; i < cloth.vertices(); ++i)
       sum.f.segment<3>(3 * i) += cloth.mass[3 * i] * *cloth.gravity;
-  for_each_family(cloth, [&](const auto& family) { add_forces(family, state.x, sum.f); });
+  for_each_family(cloth, [&](const auto& family) { sum.f += family_forces(family, state.x); });
 }
 
 // One step of step 5 on a cloth of its own, which remembers its folds; solved to rounding.
