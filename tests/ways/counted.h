@@ -1,0 +1,62 @@
+// The matrix and the energy of the steps, with a counter at every door. `counting` is where this thread
+// counts.
+#pragma once
+#include "scene/energy.h"
+#include "scene/pattern.h"
+#include "ways/way.h"
+
+inline thread_local Counts* counting = nullptr;
+
+struct CountedMatrix : BlockMatrix {
+  CountedMatrix() = default;
+  CountedMatrix(const BlockMatrix& A) : BlockMatrix(A) {}
+
+  void set_zero() {
+    counting->bytes += stored();
+    BlockMatrix::set_zero();
+  }
+  void set_diagonal(const VecX& d) {
+    ++counting->assemblies;
+    counting->bytes += stored() + vector();
+    BlockMatrix::set_diagonal(d);
+  }
+  void add(double factor, const BlockMatrix& B) {
+    if (!B.empty()) counting->bytes += 3 * stored();  // reads both, writes one
+    BlockMatrix::add(factor, B);
+  }
+  void multiply(const VecX& p, VecX& Ap) const {
+    if (!empty()) {
+      ++counting->products;
+      counting->bytes += stored() + long(sizeof(int) * column.size()) + 3 * vector();
+    }
+    BlockMatrix::multiply(p, Ap);
+  }
+
+ private:
+  long stored() const { return long(sizeof(Mat3) * (diagonal.size() + upper.size())); }
+  long vector() const { return long(sizeof(Vec3) * diagonal.size()); }
+};
+
+inline double counted_potential_energy(const Cloth& cloth, const VecX& x) {
+  ++counting->energies;
+  for_each_family(cloth, [](const auto& family) {
+    for (const auto& element : family.elements)
+      counting->bytes += long(sizeof element + sizeof(Vec3) * element.vertices.size());
+  });
+  return potential_energy(cloth, x);
+}
+
+// The bytes of one evaluation of all forces, on K and D too if the step has them: an element is read and
+// so are the positions and velocities of its vertices; its forces and blocks are added to what is there.
+inline long bytes_of_forces(const Cloth& cloth, bool velocities, int matrices) {
+  long bytes = long(sizeof(double)) * cloth.mass.size();  // f = 0
+  if (cloth.gravity) bytes += 3 * long(sizeof(double)) * cloth.mass.size();
+  for_each_family(cloth, [&](const auto& family) {
+    for (const auto& element : family.elements) {
+      const long N = long(element.vertices.size());
+      bytes += long(sizeof element) + N * (velocities ? 4 : 3) * long(sizeof(Vec3)) +
+               matrices * N * (N + 1) / 2 * 2 * long(sizeof(Mat3));
+    }
+  });
+  return bytes;
+}

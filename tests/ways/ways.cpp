@@ -1,0 +1,141 @@
+#include "ways/way.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "math/direct_solver.h"
+#include "math/preconditioner.h"
+#include "program/stable_step.h"
+#include "ways/counted.h"
+
+// The steps as they stand, but with matrices and energies that count, under names of their own.
+#define BlockMatrix CountedMatrix
+#define potential_energy counted_potential_energy
+#define step01 counted_step01
+#define step02 counted_step02
+#define step03 counted_step03
+#define step04 counted_step04
+#define step05 counted_step05
+#include "step01_explicit/time_step.h"
+#include "step02_damping/time_step.h"
+#include "step03_implicit/time_step.h"
+#include "step04_cg/time_step.h"
+#include "step05_bend/time_step.h"
+
+namespace {
+
+// Steps 1 and 2: everything is known beforehand.
+template <class System, class TimeStep, class Forces>
+class Explicit : public Simulator {
+ public:
+  Explicit(Cloth& cloth_, bool velocities, TimeStep time_step_, Forces forces_)
+      : cloth(cloth_), system(cloth), time_step(time_step_), evaluate(forces_),
+        bytes(bytes_of_forces(cloth, velocities, 0) + update()) {}
+
+  void step(double h, State& state) override {
+    time_step(cloth, h, state, system);
+    ++counted.forces;
+    counted.bytes += bytes;
+  }
+  const VecX& forces(const State& state) override {
+    evaluate(cloth, state, system);
+    return system.f;
+  }
+  Counts counts() const override { return counted; }
+
+ private:
+  // v += h M⁻¹ f and x += h v read five vectors and write two.
+  long update() const { return 7 * long(sizeof(double)) * cloth.mass.size(); }
+
+  Cloth& cloth;
+  System system;
+  TimeStep time_step;
+  Forces evaluate;
+  long bytes;
+  Counts counted;
+};
+
+// Steps 3 to 5.
+template <class System, class TimeStep, class Forces>
+class Implicit : public Simulator {
+ public:
+  Implicit(Cloth& cloth_, const Method& method, TimeStep time_step_, Forces forces_)
+      : cloth(cloth_), system(cloth, method), time_step(time_step_), evaluate(forces_),
+        bytes(bytes_of_forces(cloth, true, system.D.empty() ? 1 : 2)) {}
+
+  void step(double h, State& state) override {
+    counting = &counted;
+    time_step(cloth, h, state, system);
+  }
+  const VecX& forces(const State& state) override {
+    Counts aside;
+    counting = &aside;
+    evaluate(cloth, state, system);
+    return system.f;
+  }
+
+  // Every system has its forces. An iteration of conjugate gradients passes over 17 vectors, those of the
+  // product apart.
+  Counts counts() const override {
+    Counts all = counted;
+    all.forces = counted.assemblies;
+    all.indefinite = system.indefinite;
+    all.unconverged = system.unconverged;
+    if constexpr (requires { system.iterations; }) {
+      all.iterations = system.iterations;
+      all.capped = system.capped;
+    }
+    all.bytes +=
+        all.forces * bytes + all.iterations * 17 * long(sizeof(double)) * cloth.mass.size();
+    return all;
+  }
+
+ private:
+  Cloth& cloth;
+  System system;
+  TimeStep time_step;
+  Forces evaluate;
+  long bytes;
+  Counts counted;
+};
+
+template <class System, class TimeStep, class Forces>
+std::unique_ptr<Simulator> make_explicit(Cloth& cloth, bool velocities, TimeStep step,
+                                         Forces forces) {
+  return std::make_unique<Explicit<System, TimeStep, Forces>>(cloth, velocities, step, forces);
+}
+
+template <class System, class TimeStep, class Forces>
+std::unique_ptr<Simulator> make_implicit(Cloth& cloth, const Method& method, TimeStep step,
+                                         Forces forces) {
+  Counts aside;
+  counting = &aside;
+  return std::make_unique<Implicit<System, TimeStep, Forces>>(cloth, method, step, forces);
+}
+
+}  // namespace
+
+std::unique_ptr<Simulator> make_simulator(const Way& way, Cloth& cloth) {
+  switch (way.step) {
+    case 1:
+      return make_explicit<step01::System>(cloth, false, step01::time_step, step01::forces);
+    case 2:
+      return make_explicit<step02::System>(cloth, true, step02::time_step, step02::forces);
+    case 3:
+      return make_implicit<step03::System>(cloth, way.method, step03::time_step, step03::forces);
+    case 4:
+      return make_implicit<step04::System>(cloth, way.method, step04::time_step, step04::forces);
+    case 5:
+      return make_implicit<step05::System>(cloth, way.method, step05::time_step, step05::forces);
+    default:
+      throw std::invalid_argument("there is no step " + std::to_string(way.step));
+  }
+}
+
+double critical_step(Simulator& simulator, const Cloth& cloth, const State& state) {
+  struct {
+    VecX f;
+  } system;
+  const auto forces = [&](const Cloth&, const State& at, auto& to) { to.f = simulator.forces(at); };
+  return critical_step(cloth, state, forces, system);
+}

@@ -1,0 +1,92 @@
+// The steps behind the interface are the steps, and what is counted is what they do.
+#include <gtest/gtest.h>
+
+#include "physics/scenes.h"
+#include "step02_damping/time_step.h"
+#include "step05_bend/time_step.h"
+#include "ways/way.h"
+
+namespace {
+
+TestScene damped_sheet() {
+  TestScene scene = sheet(6, Held::by_two_corners, 1000, 500, Gravity::on);
+  scene.cloth.triangles.stretch->kd = 0.02;
+  return scene;
+}
+
+struct Result {
+  State state;
+  Counts counts;
+};
+
+Result run(const Way& way, TestScene scene, double h, int steps) {
+  const auto simulator = make_simulator(way, scene.cloth);
+  for (int i = 0; i < steps; ++i) simulator->step(h, scene.start);
+  return {scene.start, simulator->counts()};
+}
+
+TEST(Ways, AreTheStepsToTheLastBit) {
+  TestScene scene = damped_sheet();
+  State state = scene.start;
+  step02::System two(scene.cloth);
+  for (int i = 0; i < 30; ++i) step02::time_step(scene.cloth, 1e-4, state, two);
+  EXPECT_EQ(run({2}, scene, 1e-4, 30).state.x, state.x);
+
+  state = scene.start;
+  step05::System five(scene.cloth);
+  for (int i = 0; i < 30; ++i) step05::time_step(scene.cloth, 0.01, state, five);
+  const Result way = run({5}, scene, 0.01, 30);
+  EXPECT_EQ(way.state.x, state.x);
+  EXPECT_EQ(way.counts.iterations, five.iterations);
+}
+
+TEST(Ways, CountForcesOfExplicitSteps) {
+  const TestScene scene = sheet(6, Held::by_two_corners, 1000, 500, Gravity::on);
+  const Result once = run({1}, scene, 1e-4, 1), often = run({1}, scene, 1e-4, 30);
+  EXPECT_EQ(often.counts.forces, 30);
+  EXPECT_EQ(often.counts.assemblies, 0);
+  EXPECT_EQ(often.counts.products, 0);
+  EXPECT_EQ(often.counts.bytes, 30 * once.counts.bytes);
+  const long n = 7 * 7, triangles = 2 * 6 * 6;
+  EXPECT_EQ(once.counts.bytes,
+            24 * n * (1 + 3 + 7) + triangles * (long(sizeof(Triangle)) + 9 * 24));
+}
+
+// K v, and A Δv once before the first iteration and once in each.
+TEST(Ways, CountWhatAPlainImplicitStepDoes) {
+  for (int step : {3, 4, 5}) {
+    const Counts c = run({step}, damped_sheet(), 0.01, 10).counts;
+    EXPECT_EQ(c.forces, 10);
+    EXPECT_EQ(c.assemblies, 10);
+    EXPECT_EQ(c.energies, 0);
+    EXPECT_EQ(c.products, step == 3 ? 10 : 20 + c.iterations);
+    EXPECT_EQ(c.iterations > 0, step > 3);
+  }
+}
+
+TEST(Ways, CountTheEnergiesOfNewtonsMethod) {
+  const Counts c = run({3, {.newton = 20}}, damped_sheet(), 0.01, 10).counts;
+  EXPECT_GT(c.assemblies, 20);          // some iterations each
+  EXPECT_GE(c.energies, c.assemblies);  // each looks at Φ where it stands …
+  EXPECT_LE(c.energies, 4 * c.assemblies);
+  EXPECT_EQ(c.products, c.energies + c.assemblies);  // … and D v with each, and in b
+}
+
+TEST(Ways, MoreMovesMoreBytes) {
+  const auto bytes = [](const Way& way) { return run(way, damped_sheet(), 0.01, 10).counts.bytes; };
+  EXPECT_LT(bytes({2}), bytes({3}));
+  EXPECT_LT(bytes({3}), bytes({4, {.tolerance = 1e-1}}));
+  EXPECT_LT(bytes({4, {.tolerance = 1e-1}}), bytes({4, {.tolerance = 1e-6}}));
+  EXPECT_EQ(bytes({4}), bytes({5}));  // nothing bends
+}
+
+// Two corners hold a square metre: 3.5337/Δx √(k/ρ) is the largest frequency of the sheet at rest.
+TEST(Ways, KnowTheCriticalStep) {
+  for (int step : {1, 5}) {
+    TestScene scene = sheet(6, Held::by_two_corners, 1000, 1000, Gravity::on);
+    const auto simulator = make_simulator({step}, scene.cloth);
+    EXPECT_NEAR(critical_step(*simulator, scene.cloth, scene.start), 2 / 1499.23, 2e-6);
+  }
+}
+
+}  // namespace
