@@ -26,7 +26,7 @@ void Progress::show(long step) {
     std::printf("\r[%s%s] %3.0f %%  %.0f s left \033[K", std::string(size_t(full), '#').c_str(),
                 std::string(size_t(width - full), ' ').c_str(), 100 * done, seconds_left(step));
   } else {
-    std::printf("  step %ld of %ld, %.0f s left\n", step, steps, seconds_left(step));
+    std::printf("  %.0f %% done, %.0f s left\n", 100 * done, seconds_left(step));
   }
   std::fflush(stdout);
 }

@@ -45,18 +45,6 @@ class Step05 {
 
 // Order ------------------------------------------------------------------------------------------
 
-// A flap, held level at one end, that falls and bends.
-TestScene flap(BendModel bend_model) {
-  const Mesh mesh = make_grid({0.5, 0.125}, {8, 2}, Diagonals::same);
-  Model m = model(100, 50, Gravity::on);
-  m.bend = Term{"bend", *stiffness_of_modulus(bend_model, 0.02)};
-  m.bend_model = bend_model;
-  m.pins = where(mesh, [](double u, double) { return u < 0.1; });
-  TestScene scene = at_rest(mesh, m);
-  scene.end = 0.25;
-  return scene;
-}
-
 class Convergence05 : public testing::TestWithParam<BendModel> {};
 INSTANTIATE_TEST_SUITE_P(Models, Convergence05,
                          testing::Values(BendModel::dihedral, BendModel::bridson,

@@ -101,13 +101,23 @@ inline TestScene swinging_triangle() {
   return scene;
 }
 
-// Rings lengthwise, with its first mode.
-inline TestScene ringing_strip() {
-  TestScene scene = strip(0.25, {2, 8}, 100, 50, Gravity::off);
+// Rings lengthwise, with its first mode, in `rows` rows of square cells. As tension is linear in stretch,
+// at any amplitude, the motion is that of a string of air: with s = v − 1 from the top,
+//
+//   y(s, t) = s + 0.05 m sin(π s/2) cos(ω t),   ω = π/2 √(k/ρ)/(1 m)
+inline double ringing_depth(double s, double k, double time) {
+  return s + 0.05 * std::sin(pi / 2 * s) * std::cos(pi / 2 * std::sqrt(k / density) * time);
+}
+
+inline TestScene ringing_strip_of(int rows, double k) {
+  TestScene scene = strip(0.25, {rows / 4, rows}, k, k / 2, Gravity::off);
   for (int i = 0; i < scene.cloth.vertices(); ++i)
-    scene.start.x[3 * i + 1] += 0.05 * std::sin(pi / 2 * scene.start.x[3 * i + 1]);
+    scene.start.x[3 * i + 1] = ringing_depth(scene.start.x[3 * i + 1], k, 0);
   scene.end = 0.2;
   return scene;
+}
+inline TestScene ringing_strip() {
+  return ringing_strip_of(8, 100);
 }
 
 // Held by all edges, stretched by 5 %, and thrown up in the middle. The cleanest of the four.
@@ -126,10 +136,10 @@ inline TestScene trampoline() {
 }
 
 // Held by its top row, stretched by its own weight, and pulled 25 degrees aside.
-inline TestScene curtain() {
+inline TestScene curtain_of(double k) {
   const Mesh mesh = make_grid({1, 1}, {6, 6}, Diagonals::same);
-  const double k = 100, angle = 25 * pi / 180;
-  Model m = model(k, 50, Gravity::on);
+  const double angle = 25 * pi / 180;
+  Model m = model(k, k / 2, Gravity::on);
   m.pins = where(mesh, [](double, double v) { return v == 1; });
   TestScene scene = at_rest(mesh, m);
   scene.start.x = field(mesh, [&](double u, double v) {
@@ -137,5 +147,20 @@ inline TestScene curtain() {
     return Vec3(u, -depth * std::cos(angle), depth * std::sin(angle));
   });
   scene.end = 0.3;
+  return scene;
+}
+inline TestScene curtain() {
+  return curtain_of(100);
+}
+
+// A flap, held level at one end, that falls and bends.
+inline TestScene flap(BendModel bend_model = BendModel::dihedral) {
+  const Mesh mesh = make_grid({0.5, 0.125}, {8, 2}, Diagonals::same);
+  Model m = model(100, 50, Gravity::on);
+  m.bend = Term{"bend", *stiffness_of_modulus(bend_model, 0.02)};
+  m.bend_model = bend_model;
+  m.pins = where(mesh, [](double u, double) { return u < 0.1; });
+  TestScene scene = at_rest(mesh, m);
+  scene.end = 0.25;
   return scene;
 }

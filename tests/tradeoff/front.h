@@ -1,0 +1,20 @@
+// The Pareto front: the trials that no other beats in error and in cost at once; and what is read off it.
+#pragma once
+#include <optional>
+
+#include "tradeoff/score.h"
+
+namespace tradeoff {
+
+// From the cheapest to the most accurate.
+std::vector<Score> pareto_front(const std::vector<Score>&);
+
+// The cheapest with an error of no more than `error`; the most accurate in no more than `baselines`.
+std::optional<Score> cheapest(const std::vector<Score>&, double error);
+std::optional<Score> most_accurate(const std::vector<Score>&, double baselines);
+
+// Where on the front, from cheap to accurate, explicit ways take over from implicit ones: the last of these
+// and the first of those. Nothing where the cheapest is explicit, or none is.
+std::optional<std::pair<Score, Score>> crossover(const std::vector<Score>& front);
+
+}  // namespace tradeoff

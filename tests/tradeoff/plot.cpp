@@ -1,0 +1,125 @@
+// The picture of a study: error against time, both logarithmic.
+#include <algorithm>
+#include <cmath>
+
+#include "bench/gnuplot.h"
+#include "tradeoff/report.h"
+#include "tradeoff/text.h"
+
+namespace tradeoff {
+
+namespace {
+
+struct Series {
+  const char* title;
+  const char* style;  // gnuplot's, of its line and points
+  bool (*holds)(const Way&);
+};
+
+bool plain(const Way& way) {
+  return way.step > 2 && way.method.newton == 1 && way.method.jacobian == Jacobian::definite;
+}
+
+const std::vector<Series> all_series = {
+    {"explicit", "lt 2", [](const Way& way) { return way.step < 3; }},
+    {"implicit, direct solver", "lt 1", [](const Way& way) { return plain(way) && way.step == 3; }},
+    {"implicit, conjugate gradients", "lt 3",
+     [](const Way& way) { return plain(way) && way.step > 3; }},
+    {"implicit, matrix of BW98", "lt 6",
+     [](const Way& way) {
+       return way.step > 2 && way.method.newton == 1 && way.method.jacobian == Jacobian::bw98;
+     }},
+    {"implicit, Newton's method", "lt 4",
+     [](const Way& way) { return way.step > 2 && way.method.newton > 1; }},
+};
+
+// What came to an end less than its own size away from where it should be.
+bool shown(const Score& s) {
+  return s.done() && s.judged() < 1;
+}
+
+std::string data_block(const std::string& name, const Study& study,
+                       const std::vector<Score>& scores) {
+  std::string block = "$" + name + " << EOD\n";
+  for (const Score& s : scores) block += format("%.6g,%.6g\n", study.seconds(s), s.judged());
+  return block + "EOD\n";
+}
+
+// A triangle, from its lower left corner, whose hypotenuse falls `order` decades of error for one of time.
+std::string slope_triangle(double x, double y, int order, int tag) {
+  const double right = x * std::sqrt(10.0), top = y * std::pow(10.0, order / 2.0);
+  const char* side = "set arrow %d from %g,%g to %g,%g nohead lw 1.5 lc rgb '#888888'\n";
+  return format(side, tag, x, top, right, y) + format(side, tag + 1, x, y, x, top) +
+         format(side, tag + 2, x, y, right, y) +
+         format("set label %d 'order %d' at %g,%g center textcolor rgb '#666666' offset 0,-0.8\n",
+                tag, order, std::sqrt(x * right), y);
+}
+
+// What stands at the ends of the front, and where explicit steps take over.
+std::string labels(const Study& study, const std::vector<Score>& front) {
+  std::vector<Score> marked = {front.front()};
+  if (const auto turn = crossover(front)) marked.push_back(turn->second);
+  if (front.back().judged() < marked.back().judged()) marked.push_back(front.back());
+  std::string text;
+  for (size_t i = 0; i < marked.size(); ++i)
+    text += format(
+        "set label %d \"%s\\nh = %.3g h_{crit}\" at %g,%g right offset -1.2,-0.4 font ',11'\n",
+        int(100 + i), name_of(marked[i].trial.way).c_str(), marked[i].h / study.h_crit.front(),
+        study.seconds(marked[i]), marked[i].judged());
+  return text;
+}
+
+// Every trial is a dot; of each series and of all together the front is a line.
+std::string series_and_front(const Study& study, const std::vector<Score>& front,
+                             std::string& data) {
+  data += data_block("front", study, front);
+  std::string plot = "plot $front using 1:2 with lines lw 14 lc rgb \"#dddddd\" notitle, \\\n",
+              lines;
+  for (size_t i = 0; i < all_series.size(); ++i) {
+    const auto& [title, style, holds] = all_series[i];
+    std::vector<Score> kept;
+    for (const Score& s : study.scores)
+      if (shown(s) && holds(s.trial.way)) kept.push_back(s);
+    if (kept.empty()) continue;
+    const std::string name = "series" + std::to_string(i);
+    data += data_block(name, study, kept) + data_block(name + "_front", study, pareto_front(kept));
+    plot += "$" + name + " using 1:2 with points " + style + " ps 0.5 notitle, \\\n";
+    lines += "$" + name + "_front using 1:2 with linespoints " + style + " title \"" + title +
+             "\", \\\n";
+  }
+  return plot + lines + "1/0 with lines lw 14 lc rgb \"#dddddd\" title \"Pareto front\"\n";
+}
+
+std::string script(const Study& study) {
+  double fastest = 1e300, slowest = 0, best = 1e300, worst = 0;
+  for (const Score& s : study.scores)
+    if (shown(s)) {
+      fastest = std::min(fastest, study.seconds(s)), slowest = std::max(slowest, study.seconds(s));
+      best = std::min(best, s.judged()), worst = std::max(worst, s.judged());
+    }
+  const std::vector<Score> front = pareto_front(study.scores);
+  const StudyScene& mesh = study.meshes.front();
+  std::string text = gnuplot_style;
+  const std::string plot = series_and_front(study, front, text);
+  text += format("set xrange [%g:%g]\nset yrange [%g:%g]\n", fastest / 10, 3 * slowest, best / 3,
+                 3 * worst);
+  text += slope_triangle(fastest / 6, 4 * best, 1, 1) + slope_triangle(fastest, 4 * best, 2, 11);
+  text += labels(study, front);
+  text +=
+      "set terminal pngcairo size 1100,720 font \"sans,13\"\n"
+      "set output \"work_precision.png\"\nset logscale xy\nset key top right\n"
+      "set xlabel \"time, s\"\nset ylabel \"error at the end: RMS distance / size\"\n";
+  text += "set title \"" + mesh.name +
+          format(", k = %g N/m: what accuracy costs\"\n",
+                 mesh.scene.cloth.triangles.stretch ? mesh.scene.cloth.triangles.stretch->k : 0.0);
+  return text + plot;
+}
+
+}  // namespace
+
+void draw_plot(const Study& study) {
+  if (study.can_judge() && !pareto_front(study.scores).empty())
+    draw(study.out, "work_precision", script(study));
+}
+
+}  // namespace tradeoff

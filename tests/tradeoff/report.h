@@ -1,0 +1,25 @@
+// What a study found, for people: tables, a picture, a sentence.
+#pragma once
+#include "tradeoff/front.h"
+#include "tradeoff/study.h"
+
+namespace tradeoff {
+
+// The reference's opinion of itself, a line per mesh.
+void print_references(const Study&);
+
+// The cheapest way of each kind to errors of 1e-1 … 1e-6; then the front. Where no error can be told: the
+// statistics of each way instead.
+void print_tables(const Study&);
+
+// Error against time of every trial, the front through the best of them: work_precision.png.
+void draw_plot(const Study&);
+
+// One sentence: what to take, and where explicit and implicit ways change places.
+std::string advice(const Study&);
+
+// The command that runs the trial, and the one that tells its error.
+std::string command_of(const Study&, const Score&);
+std::string scoring_command_of(const Study&, const Score&);
+
+}  // namespace tradeoff

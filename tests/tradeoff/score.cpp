@@ -1,0 +1,130 @@
+#include "tradeoff/score.h"
+
+#include "bench/cpu_time.h"
+#include "physics/reference.h"
+#include "physics/scenes.h"
+#include "program/diagnostics.h"
+
+namespace tradeoff {
+
+namespace {
+
+constexpr double exploded_stretch = 1000;  // as in the programs
+
+struct Motion {
+  State state;
+  Counts counts;
+  double seconds;
+  std::string outcome;
+};
+
+std::string in_step(const char* what, long n, long of) {
+  return std::string(what) + " in step " + std::to_string(n) + " of " + std::to_string(of);
+}
+
+// Why the run cannot go on; empty where it can.
+std::string trouble(const StudyScene& study, const State& state, long n, long steps) {
+  if (!state.x.allFinite()) return in_step("exploded", n, steps);
+  if (!(max_stretch(study.scene.mesh, state.x) <= exploded_stretch))
+    return in_step("exploded", n, steps);
+  return {};
+}
+
+// The steps alone are timed; what is done once, before the first, is not.
+Motion move(const StudyScene& study, const Trial& trial, double patience) {
+  Cloth cloth = study.scene.cloth;
+  const auto simulator = make_simulator(trial.way, cloth);
+  Motion motion{study.scene.start, {}, 0, ""};
+  const double h = trial.h(study.scene.time.end);
+  const long looks = std::max(1L, trial.steps / 20);
+  for (long n = 0; n < trial.steps && motion.outcome.empty();) {
+    const long until = std::min(n + looks, trial.steps);
+    motion.seconds += seconds([&] {
+      for (; n < until; ++n) simulator->step(h, motion.state);
+    });
+    motion.outcome = trouble(study, motion.state, n, trial.steps);
+    if (motion.outcome.empty() && n < trial.steps && motion.seconds > patience)
+      motion.outcome = in_step("given up", n, trial.steps);
+  }
+  motion.counts = simulator->counts();
+  if (motion.outcome.empty()) motion.outcome = "done";
+  return motion;
+}
+
+double lowest_point(const VecX& x) {
+  return x.reshaped(3, x.size() / 3).row(1).minCoeff();
+}
+
+double energy_scale(const StudyScene& study) {
+  const Cloth& cloth = study.scene.cloth;
+  if (!cloth.gravity) return energies(cloth, study.scene.start).total();
+  return cloth.mass.sum() / 3 * cloth.gravity->norm() * study.size;
+}
+
+}  // namespace
+
+double Baseline::seconds() {
+  static const TestScene scene = trampoline();
+  Cloth cloth = scene.cloth;
+  const auto simulator = make_simulator({1}, cloth);
+  State state = scene.start;
+  times.push_back(::seconds([&] {
+    for (int n = 0; n < 2000; ++n) simulator->step(1e-4, state);
+  }));
+  return times.back();
+}
+
+double Baseline::median_seconds() const {
+  return median(times);
+}
+
+void judge(const StudyScene& study, const Reference& reference, const State& state, Score& score) {
+  Cloth cloth = study.scene.cloth;
+  const auto energy_of = [&](const State& at) {
+    cloth.hinges.follow(at.x);
+    return energies(cloth, at).total();
+  };
+  score.energy = energy_of(state);
+  score.lowest = lowest_point(state.x);
+  score.stretch = max_stretch(study.scene.mesh, state.x);
+  if (!reference.refusal().empty()) return;
+  score.error = rms_distance(cloth, state.x, reference.state.x) / study.size;
+  if (study.exact)
+    score.total_error =
+        rms_distance(cloth, state.x, study.exact(study.scene.time.end)) / study.size;
+  score.energy_error = std::abs(score.energy - energy_of(reference.state)) / energy_scale(study);
+  score.stretch_error = std::abs(score.stretch - max_stretch(study.scene.mesh, reference.state.x));
+}
+
+Score run_trial(const StudyScene& study, const Reference& reference, const Trial& trial,
+                double patience, Baseline& baseline) {
+  Score score;
+  score.trial = trial;
+  score.h = trial.h(study.scene.time.end);
+  if (study.scene.cloth.grid) score.cells = study.scene.cloth.grid->cells[0];
+  std::vector<double> ratios;
+  double spent = 0;
+  try {
+    while (ratios.size() < 3 || (ratios.size() < 9 && spent < patience)) {
+      const double unit = baseline.seconds();
+      const Motion motion = move(study, trial, 20 * patience);
+      spent += motion.seconds;
+      ratios.push_back(motion.seconds / unit);
+      if (ratios.size() == 1) {
+        score.outcome = motion.outcome;
+        score.counts = motion.counts;
+        if (!score.done()) break;
+        judge(study, reference, motion.state, score);
+      }
+      if (spent > 10 * patience) break;
+    }
+  } catch (const std::invalid_argument& cannot) {
+    score.outcome = cannot.what();
+    return score;
+  }
+  score.repeats = int(ratios.size());
+  score.baselines = median(ratios);
+  return score;
+}
+
+}  // namespace tradeoff

@@ -1,0 +1,237 @@
+// What a study says must be so: its orders, its crossover, its front, its commands.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scene/velocities.h"
+#include "tradeoff/report.h"
+
+namespace tradeoff {
+namespace {
+
+class TradeOff : public testing::Test {
+ protected:
+  void SetUp() override {
+    directory =
+        std::filesystem::temp_directory_path() /
+        (std::string("tradeoff_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::remove_all(directory);
+  }
+  void TearDown() override { std::filesystem::remove_all(directory); }
+
+  Study study_of(const Choice& choice) { return prepare({choice, directory, true}); }
+
+  Score run(const Study& study, const Way& way, long steps, size_t mesh = 0) {
+    return run_trial(study.meshes[mesh], study.references[mesh], {way, steps}, 0.05, baseline);
+  }
+
+  // The order over the last halving of h, of `steps` and twice as many.
+  double order(const Study& study, const Way& way, long steps) {
+    return std::log2(run(study, way, steps).error / run(study, way, 2 * steps).error);
+  }
+
+  std::filesystem::path directory;
+  Baseline baseline;
+};
+
+const Way implicit{4, {.tolerance = 1e-8}};
+
+// The gates of every method of order 1: from 0.9 to 1.1.
+TEST_F(TradeOff, SeesTheOrdersOfItsMethods) {
+  for (const char* name : {"T", "C", "D"}) {
+    const Study study = study_of({name});
+    EXPECT_NEAR(study.references[0].order, 4, 0.2) << name;
+    EXPECT_NEAR(order(study, {study.meshes[0].steps.front()}, 800), 1, 0.1) << name;
+    EXPECT_NEAR(order(study, implicit, 800), 1, 0.1) << name;
+    EXPECT_NEAR(order(study, {3}, 800), 1, 0.1) << name;
+  }
+  const Study flap = study_of({"F"});
+  EXPECT_EQ(flap.meshes[0].steps, std::vector{5}) << "nothing else bends";
+  EXPECT_NEAR(order(flap, {5, {.tolerance = 1e-8}}, 800), 1, 0.1);
+}
+
+// As an independent program found them, with a Runge-Kutta method of order 8 for reference.
+TEST_F(TradeOff, SeesTheErrorsOfAnIndependentProgram) {
+  const Study study = study_of({"T"});
+  EXPECT_NEAR(run(study, {1}, 400).error / 5.3e-5, 1, 0.2);
+  EXPECT_NEAR(run(study, {4, {.jacobian = Jacobian::bw98, .tolerance = 1e-8}}, 400).error / 1.28e-3,
+              1, 0.02);
+}
+
+TEST_F(TradeOff, JudgesTheStripByItsExactMotion) {
+  const Study study = study_of({"W"});
+  ASSERT_EQ(study.meshes.size(), 3u);
+  std::vector<double> total;
+  for (size_t mesh = 0; mesh < 3; ++mesh) {
+    const Score score = run(study, {1}, 5000L << (3 * mesh / 2), mesh);
+    EXPECT_LT(score.error, 0.05 * score.total_error) << "it is the mesh";
+    total.push_back(score.total_error);
+  }
+  EXPECT_GT(std::log2(total[0] / total[1]), 1.9) << "of order 2 in the size of a cell";
+  EXPECT_GT(std::log2(total[1] / total[2]), 1.9);
+}
+
+// At equal h, below h_crit, of a soft cloth: explicit steps are nearer to the truth, and cheaper.
+TEST_F(TradeOff, ExplicitStepsWinOnSoftClothBelowTheCriticalStep) {
+  const Study study = study_of({"T"});
+  const double end = study.meshes[0].scene.time.end;
+  for (double part : {0.9, 0.5, 0.25}) {
+    const long steps = std::lround(std::ceil(end / (part * study.h_crit[0])));
+    const Score one = run(study, {1}, steps), four = run(study, implicit, steps);
+    EXPECT_LT(10 * one.error, four.error) << part;
+    EXPECT_LT(10 * one.counts.bytes, four.counts.bytes) << part;
+  }
+}
+
+// Costs by what moves through memory, so that no clock decides.
+std::vector<Score> by_bytes(std::vector<Score> scores) {
+  for (Score& score : scores) score.baselines = double(score.counts.bytes);
+  return scores;
+}
+
+// The stiffer the cloth, the more accurate the answer that implicit steps are still the cheapest for.
+TEST_F(TradeOff, FindsWhereExplicitStepsTakeOver) {
+  const auto turn_of = [&](const Study& study) {
+    std::vector<Score> scores;
+    for (const Way& way : {Way{1}, Way{4, {.tolerance = 1e-2}}})
+      for (long steps : step_counts(way, study.meshes[0].scene.time.end, study.h_crit[0]))
+        scores.push_back(run(study, way, steps));
+    EXPECT_FALSE(scores.front().done()) << "2 h_crit explodes";
+    return crossover(pareto_front(by_bytes(scores)));
+  };
+  EXPECT_FALSE(turn_of(study_of({"trampoline"}))) << "soft: explicit steps win everywhere";
+
+  const Study stiff = study_of({"curtain", 1e5});
+  const auto turn = turn_of(stiff);
+  ASSERT_TRUE(turn);
+  EXPECT_GT(turn->first.h, 10 * stiff.h_crit[0]) << "implicit where no explicit step can be";
+  EXPECT_LT(turn->second.h, stiff.h_crit[0]);
+  EXPECT_LT(turn->first.judged(), 2e-2);
+  EXPECT_GT(turn->first.judged(), 1e-3);
+  EXPECT_LT(turn->second.judged(), 1e-4);
+}
+
+TEST_F(TradeOff, ItsCommandsGiveTheErrorsThatItPrints) {
+  for (const auto& [scene, way, steps] :
+       {std::tuple("curtain", Way{1}, 80L),
+        std::tuple("trampoline", Way{4, {.tolerance = 1e-2}}, 50L),
+        std::tuple("flap", Way{5, {.newton = 20, .preconditioner = "ic"}}, 50L),
+        std::tuple("damped-curtain", Way{3, {.jacobian = Jacobian::bw98}}, 40L)}) {
+    const Study study = study_of({scene});
+    const Score printed = run(study, way, steps);
+    ASSERT_EQ(printed.outcome, "done");
+    const std::string command = command_of(study, printed);
+    ASSERT_EQ(std::system((command + " > /dev/null").c_str()), 0) << command;
+    const std::filesystem::path out = study.out / "run";
+    const State state{
+        read_obj_vertices(out / "final.obj"),
+        read_velocities(out / "final_velocities.csv", study.meshes[0].scene.cloth.vertices())};
+    Score again;
+    judge(study.meshes[0], study.references[0], state, again);
+    EXPECT_NEAR(again.error / printed.error, 1, 1e-6) << command;
+    EXPECT_NEAR(again.energy, printed.energy, 1e-9) << command;
+  }
+}
+
+Score invented(double error, double cost, int step = 1) {
+  Score score;
+  score.trial.way.step = step;
+  score.outcome = "done";
+  score.error = error;
+  score.baselines = cost;
+  return score;
+}
+
+TEST_F(TradeOff, NothingOnTheFrontIsDominatedAndNothingElseIsNot) {
+  std::vector<Score> scores;
+  for (int i = 0; i < 200; ++i)
+    scores.push_back(invented(std::exp(std::sin(12.9898 * i)), std::exp(std::sin(78.233 * i))));
+  scores.push_back(invented(unknown, 1e-9));
+  scores.push_back(invented(1e-9, 1e-9));
+  scores.back().outcome = "exploded in step 3 of 8";
+  const auto dominates = [](const Score& a, const Score& b) {
+    return a.error <= b.error && a.baselines <= b.baselines &&
+           (a.error < b.error || a.baselines < b.baselines);
+  };
+  const std::vector<Score> front = pareto_front(scores);
+  EXPECT_GT(front.size(), 3u);
+  for (const Score& s : scores) {
+    if (!s.done() || s.error != s.error) continue;
+    const bool dominated = std::any_of(scores.begin(), scores.end(), [&](const Score& other) {
+      return other.done() && dominates(other, s);
+    });
+    const bool on_front = std::any_of(front.begin(), front.end(), [&](const Score& other) {
+      return other.error == s.error && other.baselines == s.baselines;
+    });
+    EXPECT_NE(dominated, on_front) << s.error << ", " << s.baselines;
+  }
+}
+
+TEST_F(TradeOff, AnswersWhatIsCheapestAndWhatIsMostAccurate) {
+  const std::vector<Score> scores = {invented(1e-1, 1, 3), invented(1e-2, 5, 3),
+                                     invented(1e-3, 4, 1)};
+  EXPECT_EQ(cheapest(scores, 0.05)->baselines, 4);
+  EXPECT_EQ(cheapest(scores, 0.5)->baselines, 1);
+  EXPECT_FALSE(cheapest(scores, 1e-4));
+  EXPECT_EQ(most_accurate(scores, 3)->error, 1e-1);
+  EXPECT_EQ(most_accurate(scores, 30)->error, 1e-3);
+  EXPECT_FALSE(most_accurate(scores, 0.5));
+  EXPECT_EQ(crossover(pareto_front(scores))->second.error, 1e-3);
+}
+
+// The drop crumples the sooner the stiffer it is.
+TEST_F(TradeOff, RefusesToJudgeWhatItsReferenceCannotTell) {
+  Study study;
+  study.meshes.push_back(make_study_scene({"drop", 1e5}, directory));
+  study.references.push_back(find_reference(study.meshes[0], 3));
+  EXPECT_NE(study.references[0].refusal(), "");
+  const Score score = run(study, {4}, 50);
+  EXPECT_EQ(score.outcome, "done");
+  EXPECT_NE(score.error, score.error) << "no number";
+  EXPECT_LT(score.lowest, -0.1);
+  EXPECT_FALSE(study.can_judge());
+}
+
+TEST_F(TradeOff, GoesOnWhereItWasInterrupted) {
+  std::filesystem::create_directories(directory);
+  const std::filesystem::path file = directory / "tradeoff.csv";
+  Score score = invented(1.25e-3, 17.5, 4);
+  score.trial = {{4, {.newton = 20, .preconditioner = "ic", .tolerance = 1e-2}}, 64};
+  score.cells = 6;
+  score.counts.bytes = 123456789012;
+  {
+    Record record(file, "one");
+    EXPECT_EQ(record.found(), 0u);
+    record.add(score, 0.01);
+  }
+  { Record(file, "another").add(invented(1, 1), 1); }
+  std::ofstream(file, std::ios::app) << "one,step01,6,1";  // broken off in the middle of a row
+  const Record again(file, "one");
+  EXPECT_EQ(again.found(), 1u);
+  const Score* found = again.find(6, score.trial);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->error, 1.25e-3);
+  EXPECT_EQ(found->baselines, 17.5);
+  EXPECT_EQ(found->counts.bytes, 123456789012);
+  EXPECT_EQ(found->outcome, "done");
+  EXPECT_FALSE(again.find(6, {{4}, 64}));
+  EXPECT_FALSE(again.find(8, score.trial));
+  EXPECT_EQ(Record(file, "another").found(), 1u);
+}
+
+TEST_F(TradeOff, RefusesScenesThatItDoesNotKnow) {
+  const auto refusal = [&](const Choice& choice) {
+    try {
+      make_study_scene(choice, directory);
+    } catch (const BadInput& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal({"nonsense"}).find("trampoline, curtain, flap"), std::string::npos);
+  EXPECT_NE(refusal({"trampoline", {}, 12}).find("the trampoline has 6"), std::string::npos);
+  EXPECT_NE(refusal({"strip", {}, 10}).find("multiple of 4"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tradeoff
