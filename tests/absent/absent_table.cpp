@@ -1,0 +1,173 @@
+// Prints the table of the top README: what it costs to leave a part out of a scene, against a program that
+// was built without its code. Counts are those of 12 × 12 cells, times of 32 × 32; all programs run in turn,
+// round by round, so that a busy machine slows them alike.
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "absent/without.h"
+#include "bench/cpu_time.h"
+
+namespace {
+
+constexpr int rounds = 15;
+
+const std::vector<Part> parts = {{"gravity", "run_without_gravity"},
+                                 {"stretch", "run_without_stretch"},
+                                 {"shear", "run_without_shear"},
+                                 {"bend", "run_without_bend"},
+                                 {"stretch.kd", "run_without_stretch_damping"},
+                                 {"shear.kd", "run_without_shear_damping"},
+                                 {"bend.kd", "run_without_bend_damping"},
+                                 {"damping", "run_without_damping"}};
+
+// stretch.kd is the damping of stretch.
+std::string title(const Part& part) {
+  std::string name = part.name;
+  if (const size_t dot = name.find('.'); dot != std::string::npos) name.replace(dot, 3, " damping");
+  return name == "damping" ? "all damping" : name;
+}
+
+std::string text(const char* format, auto... values) {
+  std::array<char, 128> line;
+  std::snprintf(line.data(), line.size(), format, values...);
+  return line.data();
+}
+
+// How far two outcomes are apart, over several ways.
+class Apart {
+ public:
+  void add(const Outcome& a, const Outcome& b) {
+    same = same && a.moves_like(b);
+    farthest = std::max(farthest, distance(a, b));
+    ++ways;
+  }
+  std::string said() const {
+    if (ways == 0) return "–";
+    return same ? "the same" : text("%.0e m", farthest);
+  }
+
+ private:
+  bool same = true;
+  double farthest = 0;
+  int ways = 0;
+};
+
+struct Motions {
+  Apart zero_exact, zero_close, built_without;
+  long more_allocations = 0, more_bytes = 0, other_counts = 0;  // than the program without the code
+  long bytes = 0, blocks = 0;                                   // of the term itself, with --block
+};
+
+// All ways, on 12 × 12 cells.
+Motions compare_motions(const Part& part) {
+  Motions motions;
+  for (const Way& way : ways(part)) {
+    const auto on_12_cells = [](Scene scene) {
+      scene["cells"] = "12";
+      return scene;
+    };
+    const Scene scene = on_12_cells(without(part, way));
+    const Outcome absent = run("run_full", scene), cut = run(part.program, scene);
+    const Outcome zero = run("run_full", on_12_cells(with_zero(part, way)));
+    (way.exact ? motions.zero_exact : motions.zero_close).add(absent, zero);
+    motions.built_without.add(absent, cut);
+    for (const auto& [name, count] : absent.counts) {
+      const long more = count - cut.counts.at(name);
+      if (name == "allocations")
+        motions.more_allocations = std::max(motions.more_allocations, more);
+      else if (name == "bytes")
+        motions.more_bytes = std::max(motions.more_bytes, more);
+      else if (more != 0)
+        ++motions.other_counts;
+    }
+    if (std::string(way.name) != "block") continue;
+    const Outcome present = run("run_full", on_12_cells(with(part, way)));
+    motions.bytes = present.counts.at("bytes") - absent.counts.at("bytes");
+    motions.blocks = present.counts.at("blocks") - absent.counts.at("blocks");
+  }
+  return motions;
+}
+
+std::string counts_said(const Motions& m) {
+  if (m.other_counts > 0) return text("%ld counts differ", m.other_counts);
+  if (m.more_allocations == 0 && m.more_bytes == 0) return "the same";
+  return text("%+ld allocation, %+ld bytes", m.more_allocations, m.more_bytes);
+}
+std::string term_said(const Motions& m) {
+  return text("%+ld bytes", m.bytes) + (m.blocks ? text(", %+ld blocks", m.blocks) : "");
+}
+
+// Of a way, on 32 × 32 cells: the time of a step without the part, to that of the program without its code,
+// and of a step with it to one without.
+struct Times {
+  std::vector<double> absent, built_without, present;
+};
+
+bool is_timed(const Way& way) {
+  const std::string name = way.name;
+  return name == "explicit" || name == "ldlt" || name == "block";
+}
+
+void add_round(const Part& part, const Way& way, Times& times) {
+  const auto time = [](const std::string& program, Scene scene) {
+    scene["cells"] = "32";
+    scene["steps"] = scene["step"] == "2" ? "200" : "12";
+    return run(program, scene).microseconds;
+  };
+  times.absent.push_back(time("run_full", without(part, way)));
+  times.built_without.push_back(time(part.program, without(part, way)));
+  times.present.push_back(time("run_full", with(part, way)));
+}
+
+struct Row {
+  Part part;
+  Motions motions;
+  std::map<std::string, Times> times;  // by way
+};
+
+std::string ratios(const Row& row, std::vector<double> Times::*above,
+                   std::vector<double> Times::*below) {
+  std::string said;
+  for (const char* way : {"explicit", "ldlt", "block"}) {
+    const auto found = row.times.find(way);
+    if (!said.empty()) said += " · ";
+    said += found == row.times.end()
+                ? "–"
+                : text("%.2f", median_ratio(found->second.*above, found->second.*below));
+  }
+  return said;
+}
+
+void print(const std::vector<Row>& rows) {
+  std::printf(
+      "| left out | as with k = 0: explicit, CG | direct, IC, multigrid | as built without it: "
+      "motion | "
+      "counts, bytes, non-zeros | time of a step | it would cost | time of a step |\n"
+      "|---|---|---|---|---|---|---|---|\n");
+  for (const Row& row : rows)
+    std::printf("| %s | %s | %s | %s | %s | %s | %s | %s |\n", title(row.part).c_str(),
+                row.motions.zero_exact.said().c_str(), row.motions.zero_close.said().c_str(),
+                row.motions.built_without.said().c_str(), counts_said(row.motions).c_str(),
+                ratios(row, &Times::absent, &Times::built_without).c_str(),
+                term_said(row.motions).c_str(),
+                ratios(row, &Times::present, &Times::absent).c_str());
+}
+
+}  // namespace
+
+int main() try {
+  std::vector<Row> rows;
+  for (const Part& part : parts) rows.push_back({part, compare_motions(part), {}});
+  for (int round = 0; round < rounds; ++round) {
+    std::fprintf(stderr, "\rround %d of %d", round + 1, rounds);
+    for (Row& row : rows)
+      for (const Way& way : ways(row.part))
+        if (is_timed(way)) add_round(row.part, way, row.times[way.name]);
+  }
+  std::fprintf(stderr, "\r                    \r");
+  print(rows);
+} catch (const std::exception& e) {
+  std::fprintf(stderr, "absent_table: %s\n", e.what());
+  return 1;
+}

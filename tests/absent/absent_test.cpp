@@ -1,0 +1,83 @@
+// What a scene does not name costs nothing: it moves as with stiffness 0, and to the last bit and byte as in
+// a program that was built without the code.
+#include <gtest/gtest.h>
+
+#include "absent/without.h"
+
+void PrintTo(const Part& part, std::ostream* out) {
+  *out << part.name;
+}
+
+namespace {
+
+constexpr double rounding = 1e-10;  // m, where the order of operations changes with the pattern
+
+class LeftOut : public testing::TestWithParam<Part> {};
+INSTANTIATE_TEST_SUITE_P(Parts, LeftOut,
+                         testing::Values(Part{"gravity", "run_without_gravity"},
+                                         Part{"stretch", "run_without_stretch"},
+                                         Part{"shear", "run_without_shear"},
+                                         Part{"bend", "run_without_bend"},
+                                         Part{"damping", "run_without_damping"},
+                                         Part{"stretch.kd", "run_without_damping", true},
+                                         Part{"shear.kd", "run_without_damping", true},
+                                         Part{"bend.kd", "run_without_damping", true}),
+                         [](const auto& test) {
+                           std::string name = test.param.name;
+                           if (const size_t dot = name.find('.'); dot != std::string::npos)
+                             name.replace(dot, 3, "Kd");
+                           return name;
+                         });
+
+// The System of the implicit steps keeps one vector that is of use only with damping, D v.
+std::map<std::string, long> known_costs(const Part& part, const Way& way, const Outcome& absent) {
+  if (std::string(part.program) != "run_without_damping" || way.step() == 2) return {};
+  return {{"allocations", 1}, {"bytes", long(sizeof(double) * absent.x.size())}};
+}
+
+void expect_same_place(const Way& way, const Outcome& absent, const Outcome& zero) {
+  if (way.exact)
+    EXPECT_TRUE(absent.moves_like(zero)) << distance(absent, zero) << " m";
+  else
+    EXPECT_LE(distance(absent, zero), rounding);
+}
+
+TEST_P(LeftOut, CostsNothing) {
+  const Part& part = GetParam();
+  for (const Way& way : ways(part)) {
+    SCOPED_TRACE(way.name);
+    const Outcome absent = run("run_full", without(part, way));
+    expect_same_place(way, absent, run("run_full", with_zero(part, way)));
+
+    Outcome built_without = run(part.program, without(part, way));
+    EXPECT_TRUE(absent.moves_like(built_without)) << distance(absent, built_without) << " m";
+    for (const auto& [count, more] : known_costs(part, way, absent))
+      built_without.counts[count] += more;
+    EXPECT_EQ(absent.counts, built_without.counts);
+
+    // There is something to leave out, and the program that was built without it does not know it.
+    const Outcome present = run("run_full", with(part, way));
+    EXPECT_GT(distance(present, absent), 1e-6);
+    EXPECT_LT(distance(present, absent), 10) << "exploded";
+    EXPECT_GT(distance(present, run(part.program, with(part, way))), 1e-6);
+  }
+}
+
+// Its hinges, springs and blocks are there as soon as it is named.
+TEST(BendOfZero, MovesAlikeInEveryModelAndIsNotFree) {
+  const Part bend{"bend", "run_without_bend"};
+  for (const Way& way : ways(bend)) {
+    const Outcome absent = run("run_full", without(bend, way));
+    for (const char* model : {"0", "1", "2", "3"}) {
+      SCOPED_TRACE(std::string(way.name) + ", model " + model);
+      Scene scene = with_zero(bend, way);
+      scene["bend.model"] = model;
+      const Outcome zero = run("run_full", scene);
+      expect_same_place(way, absent, zero);
+      for (const char* count : {"blocks", "allocations", "bytes"})
+        EXPECT_GT(zero.counts.at(count), absent.counts.at(count)) << count;
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,120 @@
+#include "absent/without.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+// Step 2 at an h at which it is stable, steps 3 and 5 at a large one.
+Scene explicit_step() {
+  return {{"step", "2"}, {"method", "explicit"}, {"h", "0.0002"}, {"steps", "400"}};
+}
+Scene implicit_step(const char* step, const char* method) {
+  return {{"step", step}, {"method", method}, {"h", "0.01"}, {"steps", "20"}};
+}
+Scene more(Scene scene, const Scene& additional) {
+  for (const auto& [name, value] : additional) scene[name] = value;
+  return scene;
+}
+
+// Conjugate gradients leave an error that depends on the preconditioner, and ic and multigrid on the
+// pattern: they are compared where that error is rounding.
+std::vector<Way> all_ways() {
+  const Scene newton = {{"newton", "5"}, {"steps", "8"}}, to_rounding = {{"tolerance", "1e-13"}};
+  const Scene bw98 = {{"bw98", "1"}, {"h", "0.001"}};  // definite only in small steps
+  return {
+      {"explicit", explicit_step()},
+      {"none", implicit_step("5", "none")},
+      {"jacobi", implicit_step("5", "jacobi")},
+      {"block", implicit_step("5", "block")},
+      {"block, bw98", more(implicit_step("5", "block"), bw98)},
+      {"block, Newton", more(implicit_step("5", "block"), newton)},
+      {"ldlt", implicit_step("3", "ldlt"), false},
+      {"ldlt, Newton", more(implicit_step("3", "ldlt"), newton), false},
+#ifdef LARGE_STEPS_CHOLMOD
+      {"cholmod", implicit_step("3", "cholmod"), false},
+#endif
+      {"ic", more(implicit_step("5", "ic"), to_rounding), false},
+      {"multigrid", more(implicit_step("5", "multigrid"), to_rounding), false},
+      {"multigrid, bw98, Newton",
+       more(more(more(implicit_step("5", "multigrid"), bw98), newton), to_rounding), false},
+  };
+}
+
+}  // namespace
+
+bool Part::has(const std::string& argument) const {
+  const std::string of = name;
+  if (of == "damping") return argument.ends_with(".kd");
+  return argument == of || argument.starts_with(of + ".");
+}
+
+std::vector<Way> ways(const Part& part) {
+  std::vector<Way> teaching = all_ways();
+  if (part.has("bend.kd") && !part.has("stretch.kd"))
+    std::erase_if(teaching, [](const Way& way) { return way.step() < 5; });
+  return teaching;
+}
+
+Scene with(const Part& part, const Way& way) {
+  Scene scene = {{"cells", "8"},         {"gravity", "9.81"}, {"stretch", "1000"},
+                 {"stretch.kd", "0.02"}, {"shear", "500"},    {"shear.kd", "0.01"}};
+  if (way.step() == 5) scene = more(scene, {{"bend", "0.0001"}, {"bend.kd", "0.000002"}});
+  if (part.only_damping)
+    std::erase_if(scene, [&](const auto& argument) {
+      return argument.first.ends_with(".kd") && !part.has(argument.first);
+    });
+  return more(scene, way.arguments);
+}
+
+Scene without(const Part& part, const Way& way) {
+  Scene scene = with(part, way);
+  std::erase_if(scene, [&](const auto& argument) { return part.has(argument.first); });
+  return scene;
+}
+
+// A term of stiffness 0 that was damped would still be a force.
+Scene with_zero(const Part& part, const Way& way) {
+  Scene scene = with(part, way);
+  for (auto& [name, value] : scene)
+    if (part.has(name)) value = "0";
+  return scene;
+}
+
+Outcome run(const std::string& program, const Scene& scene) {
+  std::string command = PROGRAM_DIRECTORY "/" + program;
+  for (const auto& [name, value] : scene) command += " " + name + "=" + value;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (!pipe) throw std::runtime_error(command + ": could not be started");
+  std::string text;
+  std::array<char, 65536> piece;
+  while (const size_t length = fread(piece.data(), 1, piece.size(), pipe))
+    text.append(piece.data(), length);
+  if (pclose(pipe) != 0) throw std::runtime_error(command + ": failed");
+
+  Outcome outcome;
+  std::istringstream in(text);
+  for (std::string name; in >> name && name != "microseconds";) in >> outcome.counts[name];
+  in >> outcome.microseconds;
+  std::vector<uint64_t> bits;
+  for (uint64_t number; in >> number;) bits.push_back(number);
+  if (bits.empty()) throw std::runtime_error(command + ": printed no positions");
+  outcome.x.assign(bits.begin(), bits.begin() + long(bits.size() / 2));
+  outcome.v.assign(bits.begin() + long(bits.size() / 2), bits.end());
+  return outcome;
+}
+
+double distance(const Outcome& a, const Outcome& b) {
+  double farthest = 0;
+  for (size_t i = 0; i < a.x.size(); ++i) {
+    const double apart = std::abs(std::bit_cast<double>(a.x[i]) - std::bit_cast<double>(b.x[i]));
+    if (std::isnan(apart)) return std::numeric_limits<double>::infinity();
+    farthest = std::max(farthest, apart);
+  }
+  return farthest;
+}
