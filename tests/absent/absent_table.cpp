@@ -1,7 +1,10 @@
-// Prints the table of the top README: what it costs to leave a part out of a scene, against a program that
-// was built without its code. Counts are those of 12 × 12 cells, times of 32 × 32; all programs run in turn,
-// round by round, so that a busy machine slows them alike.
+// Prints the table of the top README: what a scene still pays for a part that is left out of it, and what
+// it would pay for the part. Counts and bytes are those of 12 × 12 cells, the bytes of a part those of CG with
+// blocks. Times are ratios of CPU times on 32 × 32 cells, of step 2 · step 3 with LDLᵀ · step 5 with blocks:
+// medians over rounds in which the programs take turns, so that a busy machine slows them alike.
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstdio>
 #include <stdexcept>
 
@@ -56,10 +59,9 @@ class Apart {
 struct Motions {
   Apart zero_exact, zero_close, built_without;
   long more_allocations = 0, more_bytes = 0, other_counts = 0;  // than the program without the code
-  long bytes = 0, blocks = 0;                                   // of the term itself, with --block
+  long bytes = 0, blocks = 0;  // of the part itself, in CG with blocks
 };
 
-// All ways, on 12 × 12 cells.
 Motions compare_motions(const Part& part) {
   Motions motions;
   for (const Way& way : ways(part)) {
@@ -98,8 +100,7 @@ std::string term_said(const Motions& m) {
   return text("%+ld bytes", m.bytes) + (m.blocks ? text(", %+ld blocks", m.blocks) : "");
 }
 
-// Of a way, on 32 × 32 cells: the time of a step without the part, to that of the program without its code,
-// and of a step with it to one without.
+// Of a step without the part, of one in the program without its code, and of one with the part, µs.
 struct Times {
   std::vector<double> absent, built_without, present;
 };
@@ -141,9 +142,10 @@ std::string ratios(const Row& row, std::vector<double> Times::*above,
 
 void print(const std::vector<Row>& rows) {
   std::printf(
-      "| left out | as with k = 0: explicit, CG | direct, IC, multigrid | as built without it: "
-      "motion | "
-      "counts, bytes, non-zeros | time of a step | it would cost | time of a step |\n"
+      "| left out | moves as with k = 0: explicit, CG | direct, IC, multigrid | moves as built "
+      "without it | "
+      "allocations, bytes, blocks, iterations | time of a step | where it is there | time of a "
+      "step |\n"
       "|---|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows)
     std::printf("| %s | %s | %s | %s | %s | %s | %s | %s |\n", title(row.part).c_str(),
@@ -154,20 +156,46 @@ void print(const std::vector<Row>& rows) {
                 ratios(row, &Times::present, &Times::absent).c_str());
 }
 
-}  // namespace
+// How much is done, and the time left if the rest takes as long.
+class Progress {
+ public:
+  explicit Progress(size_t all_) : all(all_) {}
+  ~Progress() { std::fprintf(stderr, "\r%30s\r", ""); }
+  void next() {
+    ++done;
+    const double left = since(start) * double(all - done) / double(done);
+    std::fprintf(stderr, "\r%3zu %%, %.0f s left  ", 100 * done / all, left);
+  }
 
-int main() try {
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double since(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  }
+
+  size_t all, done = 0;
+  Clock::time_point start = Clock::now();
+};
+
+std::vector<Row> measure() {
+  Progress progress(parts.size() * (rounds + 1));
   std::vector<Row> rows;
-  for (const Part& part : parts) rows.push_back({part, compare_motions(part), {}});
-  for (int round = 0; round < rounds; ++round) {
-    std::fprintf(stderr, "\rround %d of %d", round + 1, rounds);
-    for (Row& row : rows)
+  for (const Part& part : parts) {
+    rows.push_back({part, compare_motions(part), {}});
+    progress.next();
+  }
+  for (int round = 0; round < rounds; ++round)
+    for (Row& row : rows) {
       for (const Way& way : ways(row.part))
         if (is_timed(way)) add_round(row.part, way, row.times[way.name]);
-  }
-  std::fprintf(stderr, "\r                    \r");
-  print(rows);
-} catch (const std::exception& e) {
+      progress.next();
+    }
+  return rows;
+}
+
+}  // namespace
+
+int main() try { print(measure()); } catch (const std::exception& e) {
   std::fprintf(stderr, "absent_table: %s\n", e.what());
   return 1;
 }
