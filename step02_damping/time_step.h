@@ -27,7 +27,8 @@ struct Sum {
 template <int M, class Rates, int Y>
 void act(const Term& term, const Condition<M>& c, const Rates& ydot, Sum<Y>& sum) {
   double Cdot = 0;
-  for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
+  if (term.kd > 0)
+    for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
   for (int m = 0; m < M; ++m) sum.f[c.first + m] -= (term.k * c.C + term.kd * Cdot) * c.dCdy[m];
 }
 

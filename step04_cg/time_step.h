@@ -14,8 +14,8 @@ namespace step04 {
 // What a step computes; it lives from step to step, so that none allocates.
 struct System {
   explicit System(const Cloth& cloth, const Method& method_ = {})
-      : method(method_), f(cloth.mass.size()), b(f), dv(f), v(f), Dv(f),
-        K(make_block_matrix(cloth)), A(K), slots(cloth, K), r(f.size()), c(r), q(r), s(r),
+      : method(method_), f(cloth.mass.size()), b(f), dv(f), v(f), K(make_block_matrix(cloth)), A(K),
+        slots(cloth, K), r(f.size()), c(r), q(r), s(r),
         T(make_preconditioner(method.preconditioner, A, cloth.pins, cloth.grid)) {
     if (damped(cloth)) D = K;
   }
@@ -49,7 +49,8 @@ template <int M, class Second, class Rates, int Y>
 void act(const Term& term, const Condition<M>& c, const Second& second, Jacobian jacobian,
          const Rates& ydot, Sum<Y>& sum) {
   double Cdot = 0;
-  for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
+  if (term.kd > 0)
+    for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
   for (int m = 0; m < M; ++m) sum.f[c.first + m] -= (term.k * c.C + term.kd * Cdot) * c.dCdy[m];
 
   double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;

@@ -13,6 +13,9 @@ inline double operator+(double sum, Nothing) {
   return sum;
 }
 inline void operator-=(Mat3&, Nothing) {}
+constexpr bool operator>(Nothing, int) {
+  return false;
+}
 
 struct Undamped {
   const char* name;
