@@ -1,12 +1,15 @@
 // Step 1, explicit: a cloth of threads that stretch and shear, moved on by symplectic Euler.
 //
 // Read time_step.h first: everything that this step teaches stands there.
+#include "program/explain.h"
 #include "program/run.h"
 #include "program/stable_step.h"
 #include "time_step.h"
 
 int simulate(const Options& options) {
   const Scene scene = read_scene(options.scene, options.program, options.overrides);
+  if (options.explain)
+    return explain<step01::System>(options, scene, step01::time_step, step01::forces);
   const Cloth& cloth = scene.cloth;
   State state = scene.start;
   step01::System system(cloth);

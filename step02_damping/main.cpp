@@ -1,12 +1,15 @@
 // Step 2, damping: a thread whose length changes loses energy.
 //
 // Read time_step.h first: everything that this step teaches stands there.
+#include "program/explain.h"
 #include "program/run.h"
 #include "program/stable_step.h"
 #include "time_step.h"
 
 int simulate(const Options& options) {
   const Scene scene = read_scene(options.scene, options.program, options.overrides);
+  if (options.explain)
+    return explain<step02::System>(options, scene, step02::time_step, step02::forces);
   const Cloth& cloth = scene.cloth;
   State state = scene.start;
   step02::System system(cloth);

@@ -1,11 +1,14 @@
 // Step 3, implicit: a linear system in every step, and steps a hundred times larger.
 //
 // Read time_step.h first: everything that this step teaches stands there.
+#include "program/explain.h"
 #include "program/run.h"
 #include "time_step.h"
 
 int simulate(const Options& options) {
   const Scene scene = read_scene(options.scene, options.program, options.overrides);
+  if (options.explain)
+    return explain<step03::System>(options, scene, step03::time_step, step03::forces);
   const Cloth& cloth = scene.cloth;
   State state = scene.start;
   step03::System system(cloth, options.method);

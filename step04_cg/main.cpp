@@ -1,11 +1,14 @@
 // Step 4, conjugate gradients: the linear system without a factorisation.
 //
 // Read time_step.h first: everything that this step teaches stands there.
+#include "program/explain.h"
 #include "program/run.h"
 #include "time_step.h"
 
 int simulate(const Options& options) {
   const Scene scene = read_scene(options.scene, options.program, options.overrides);
+  if (options.explain)
+    return explain<step04::System>(options, scene, step04::time_step, step04::forces);
   const Cloth& cloth = scene.cloth;
   State state = scene.start;
   step04::System system(cloth, options.method);

@@ -1,11 +1,14 @@
 // Step 5, bending: one more condition, the angle between two triangles.
 //
 // Read time_step.h first: everything that this step teaches stands there.
+#include "program/explain.h"
 #include "program/run.h"
 #include "time_step.h"
 
 int simulate(const Options& options) {
   Scene scene = read_scene(options.scene, options.program, options.overrides);
+  if (options.explain)
+    return explain<step05::System>(options, scene, step05::time_step, step05::forces);
   Cloth& cloth = scene.cloth;
   State state = scene.start;
   step05::System system(cloth, options.method);

@@ -80,6 +80,9 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   app.add_option("--without", options.overrides.without,
                  "leave a table of the scene out; may repeat")
       ->option_text("TABLE");
+  app.add_flag("--explain", options.explain,
+               "say what is in the scene, what it costs, what sets h and what could be left out; "
+               "writes nothing");
   app.add_flag_callback(
       "--no-pictures", [&] { options.pictures = false; }, "numbers only");
   app.add_option("--size", size,

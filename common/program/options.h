@@ -31,6 +31,7 @@ struct Options {
   Concepts concepts;
   Method method;
 
+  bool explain = false;
   bool pictures = true;
   bool export_obj = false;
   std::optional<std::array<int, 2>> size;  // of every picture
