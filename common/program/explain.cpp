@@ -23,7 +23,7 @@ void print_explicit_limit(const Scene& scene, const std::vector<Part>& parts, co
     longest = h;
     setter = parts[p].name;
   }
-  if (!setter.empty()) print_wrapped(joined(without, ", ") + ": most of it is " + setter);
+  if (!setter.empty()) print_wrapped(joined(without, ", ") + ": " + setter + " sets it most");
 }
 
 void print_implicit_limit(const Scene& scene) {
@@ -35,6 +35,8 @@ void print_implicit_limit(const Scene& scene) {
 }
 
 namespace {
+
+constexpr double large_error = 0.05;  // of the size
 
 bool drowns(const Trial& trial, const Survey& s) {
   return trial.ended.empty() && trial.distance_at[s.last()] < s.error_of_h(s.last());
@@ -48,12 +50,11 @@ void print_one_left_out(const Part& part, const Trial& trial, const Survey& s) {
   std::string says = trial.ended;
   if (says.empty()) {
     const double change = trial.distance_at[s.last()];
-    says = padded(length(change), 12) + padded(per_cent(change / s.size), 12) +
-           padded(percent(1 - trial.seconds / seconds_of_scene(s)), 7) +
+    says = padded(length(change), 11) + padded(per_cent(change / s.size), 10) +
+           padded(percent(1 - trial.seconds / seconds_of_scene(s)), 6) +
            (drowns(trial, s) ? "less than the error of h" : "");
   }
-  std::printf("    %s%s%s\n", padded(part.name, 20).c_str(), padded(part.option, 27).c_str(),
-              says.c_str());
+  print_row("    " + padded(part.name, 19) + padded(part.option, 26) + says);
 }
 
 // Damping as a whole stands for that of every term.
@@ -69,19 +70,24 @@ std::vector<std::string> drowning(const std::vector<Part>& parts, const Survey& 
 }  // namespace
 
 void print_left_out(const std::vector<Part>& parts, const Survey& s) {
-  std::printf("%smoves       of size     time saved, by t = %.6g s\n",
-              padded("What could be left out", 51).c_str(), s.times[s.last()]);
+  print_row(padded("What could be left out", 49) + "moves      of size   time  " +
+            text("by t = %.6g s", s.times[s.last()]));
   for (size_t p = 0; p < parts.size(); ++p) print_one_left_out(parts[p], s.left_out[p], s);
   const double noise = std::abs(s.as_is.seconds - s.nudged.seconds) / seconds_of_scene(s);
-  print_wrapped(
-      text("moves: RMS; two equal runs took times that differ by %s", percent(noise).c_str()));
+  print_wrapped(text("moves: RMS over the vertices; time: saved, where two equal runs differ by %s",
+                     percent(noise).c_str()));
 }
 
 void print_advice(const Options& options, const std::vector<Part>& parts, const Survey& s) {
+  if (s.nothing_moves()) return print_wrapped("Nothing moves: any h will do.");
   std::vector<std::string> advice;
+  const size_t stop = s.told().value_or(s.last());
+  if (s.error_of_h(stop) > large_error * s.size)
+    advice.push_back("A smaller h comes first: the error is " +
+                     per_cent(s.error_of_h(stop) / s.size) + " of the size.");
   if (const auto names = drowning(parts, s); !names.empty())
-    advice.push_back("Leave out " + joined(names, " and ") +
-                     ", or take a smaller h: it changes less than h does.");
+    advice.push_back("With this h, " + joined(names, " and ") +
+                     " can be left out: that changes less than h does.");
   if (const Probe* other = better_method(s, options.method.tolerance))
     advice.push_back(text("With %s a step takes %.3g ms, at the same tolerance.",
                           other->way.options.c_str(), 1000 * other->median()));
@@ -110,7 +116,7 @@ int explain(const Options& options, const Scene& scene, const Simulate& simulate
   }
   std::printf("The error of h, RMS\n");
   print_error(options, scene, s);
-  print_left_out(parts, s);
+  if (!parts.empty()) print_left_out(parts, s);
   std::printf("So\n");
   print_advice(options, parts, s);
   return 0;

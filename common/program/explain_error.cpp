@@ -90,7 +90,7 @@ const Probe* better_method(const Survey& s, double tolerance) {
 }
 
 void print_error(const Options& options, const Scene& scene, const Survey& s) {
-  if (s.quarter.distance_at[s.last()] < 1e-12 * s.size)
+  if (s.nothing_moves())
     return print_wrapped(
         text("none until t = %.6g s: nothing moves that h could change", s.times[s.last()]));
   const std::optional<size_t> told = s.told();

@@ -32,9 +32,12 @@ struct Survey {
   std::vector<Probe> tenth_h;        // with steps of h/10
   std::vector<Probe> other_methods;  // with the same h
 
+  // In interleaved rounds at the stops, medians:
+  double round_seconds = 0;                  // of a step
   double forces_seconds = 0;                 // of one evaluation
   std::vector<double> without_seconds = {};  // what it takes less without each part
 
+  bool nothing_moves() const { return quarter.distance_at.back() < 1e-12 * size; }
   size_t last() const { return times.size() - 1; }
   // The last stop until which the order is near 1, so that the error is what error_at says.
   std::optional<size_t> told() const;

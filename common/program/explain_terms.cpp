@@ -72,7 +72,9 @@ std::vector<Part> parts_of(const Cloth& cloth) {
                        without_damping(cloth, {slot})});
     }
   if (!damped.empty())
-    parts.push_back({"all damping", "--without damping", true, without_damping(cloth, damped)});
+    parts.push_back(
+        {damped.size() > 1 ? "all damping" : std::string("damping of ") + (*slots[damped[0]])->name,
+         "--without damping", true, without_damping(cloth, damped)});
   return parts;
 }
 
@@ -101,7 +103,9 @@ std::string describe_elements(const Scene& scene) {
   const long moving = std::count_if(cloth.pins.begin(), cloth.pins.end(),
                                     [](const Pin& pin) { return !pin.velocity.isZero(0); });
   text += ", " + std::to_string(cloth.pins.size()) + " pinned";
-  return text + (moving > 0 ? " (" + std::to_string(moving) + " of them move)" : "");
+  return text + (moving > 0 ? " (" + std::to_string(moving) +
+                                  (moving == 1 ? " of them moves)" : " of them move)")
+                            : "");
 }
 
 size_t element_bytes(const Cloth& cloth) {

@@ -36,6 +36,10 @@ std::string padded(const std::string& words, size_t width) {
   return words + std::string(width - std::min(width, width_of(words)), ' ');
 }
 
+void print_row(const std::string& columns) {
+  std::printf("%s\n", columns.substr(0, columns.find_last_not_of(' ') + 1).c_str());
+}
+
 void print_wrapped(const std::string& words) {
   std::string line = "   ";
   for (size_t begin = 0; begin < words.size();) {
@@ -56,7 +60,7 @@ std::string length(double m) {
 }
 
 std::string bytes(size_t number) {
-  if (number < 1000) return text("%zu B", number);
+  if (number < 10000) return text("%zu B", number);
   if (number < 1000000) return text("%.0f kB", double(number) / 1e3);
   return text("%.1f MB", double(number) / 1e6);
 }
@@ -66,5 +70,5 @@ std::string percent(double part) {
 }
 
 std::string per_cent(double part) {
-  return text("%.2g %%", 100 * part);
+  return text(part < 0.995 ? "%.2g %%" : "%.0f %%", 100 * part);
 }

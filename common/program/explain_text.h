@@ -10,6 +10,9 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bet
 // Filled up with spaces; UTF-8, a character is a column.
 std::string padded(const std::string& words, size_t width);
 
+// Without the spaces at its end.
+void print_row(const std::string& columns);
+
 // Indented, on as many lines as it needs.
 void print_wrapped(const std::string& words);
 

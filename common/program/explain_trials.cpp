@@ -70,7 +70,7 @@ void Trial::advance() {
     }
   });
   if (!finite || !(max_stretch(*mesh, state.x) <= longest_thread))
-    ended = "explodes by t = " + text("%.4g", double(steps) * h) + " s";
+    ended = text("explodes by t = %.3g s", double(steps) * h);
 }
 
 void Trial::note(const VecX& compared_with) {

@@ -37,8 +37,8 @@ TEST_P(OptionsTest, help_lists_every_option) {
   EXPECT_EQ(help.err, "");
   for (const char* option :
        {"scene.toml", "--out DIR", "--frames N", "--h S", "--end S", "--cells N", "--size WxH",
-        "--without TABLE", "--no-pictures ", "--export obj", "--wireframe", "--caption",
-        "--strain S", "--help", "--version"})
+        "--without TABLE", "--explain ", "--no-pictures ", "--export obj", "--wireframe",
+        "--caption", "--strain S", "--help", "--version"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option << " is not in\n" << help.out;
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
 }
