@@ -6,11 +6,11 @@ namespace tradeoff {
 
 namespace {
 
-// Those that came to an end and could be judged.
+// Those that came to an end and have something to do with the truth: less than the size away from it.
 std::vector<Score> judged(const std::vector<Score>& scores) {
   std::vector<Score> kept;
   for (const Score& score : scores)
-    if (score.done() && score.judged() == score.judged()) kept.push_back(score);
+    if (score.done() && score.judged() < 1) kept.push_back(score);
   return kept;
 }
 

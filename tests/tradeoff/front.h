@@ -1,4 +1,5 @@
 // The Pareto front: the trials that no other beats in error and in cost at once; and what is read off it.
+// What exploded, or ended farther from the truth than the cloth is wide, is no answer.
 #pragma once
 #include <optional>
 
