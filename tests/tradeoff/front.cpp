@@ -42,6 +42,13 @@ std::vector<Score> pareto_front(const std::vector<Score>& scores) {
   return front;
 }
 
+std::vector<Score> distinct(const std::vector<Score>& front) {
+  std::vector<Score> kept;
+  for (const Score& score : front)
+    if (kept.empty() || score.judged() < 0.9 * kept.back().judged()) kept.push_back(score);
+  return kept;
+}
+
 std::optional<Score> cheapest(const std::vector<Score>& scores, double error) {
   return best(scores, cheaper, [&](const Score& s) { return s.judged() <= error; });
 }

@@ -10,6 +10,10 @@ namespace tradeoff {
 // From the cheapest to the most accurate.
 std::vector<Score> pareto_front(const std::vector<Score>&);
 
+// The front without those that are less than a tenth more accurate than the one before: as many as one
+// wants to read.
+std::vector<Score> distinct(const std::vector<Score>& front);
+
 // The cheapest with an error of no more than `error`; the most accurate in no more than `baselines`.
 std::optional<Score> cheapest(const std::vector<Score>&, double error);
 std::optional<Score> most_accurate(const std::vector<Score>&, double baselines);

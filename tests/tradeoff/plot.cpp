@@ -104,7 +104,7 @@ std::string script(const Study& study) {
   text += format("set xrange [%g:%g]\nset yrange [%g:%g]\n", fastest / 10, 3 * slowest, best / 3,
                  3 * worst);
   text += slope_triangle(fastest / 6, 4 * best, 1, 1) + slope_triangle(fastest, 4 * best, 2, 11);
-  text += labels(study, front);
+  text += labels(study, distinct(front));
   text +=
       "set terminal pngcairo size 1100,720 font \"sans,13\"\n"
       "set output \"work_precision.png\"\nset logscale xy\nset key top right\n"

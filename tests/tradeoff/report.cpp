@@ -9,8 +9,6 @@ namespace tradeoff {
 
 namespace {
 
-const std::vector<double> asked = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // errors
-
 // A kind: a way, whatever its tolerance.
 std::string kind_of(Way way) {
   way.method.tolerance = Method{}.tolerance;
@@ -39,12 +37,12 @@ void print_kinds(const Study& study) {
       "\nMilliseconds to an error of at most …, by the cheapest h, tolerance%s of each way\n\n",
       study.meshes.size() > 1 ? " and mesh" : "");
   std::printf("  %-34s", "");
-  for (double error : asked) std::printf("%9.0e", error);
+  for (double error : asked_errors) std::printf("%9.0e", error);
   std::printf("%12s\n", "smallest");
   for (const std::string& kind : kinds_of(study.scores)) {
     const std::vector<Score> scores = of_kind(study.scores, kind);
     std::printf("  %-34s", kind.c_str());
-    for (double error : asked) {
+    for (double error : asked_errors) {
       const auto best = cheapest(scores, error);
       std::printf("%9s", best ? format("%.3g", 1e3 * study.seconds(*best)).c_str() : "-");
     }
@@ -60,10 +58,7 @@ void print_front(const Study& study) {
       "  %9s %9s %9s %9s %9s  %-30s %8s %8s %8s %9s%s\n",
       meshes ? "; errors against the exact motion" : "", "error", "energy", "stretch", "ms", "h",
       "way", "forces", "systems", "products", "MB moved", meshes ? "  cells" : "");
-  double last = 1e300;
-  for (const Score& s : pareto_front(study.scores)) {
-    if (s.judged() > 0.9 * last) continue;  // as good as the one before
-    last = s.judged();
+  for (const Score& s : distinct(pareto_front(study.scores))) {
     std::printf("  %9.1e %9.1e %9.1e %9.3g %9.3g  %-30s %8ld %8ld %8ld %9.3g", s.judged(),
                 s.energy_error, s.stretch_error, 1e3 * study.seconds(s), s.h,
                 name_of(s.trial.way).c_str(), s.counts.forces, s.counts.assemblies,
@@ -125,14 +120,6 @@ void print_failures(const Study& study) {
       sum([](const Counts& c) { return c.unconverged; }));
 }
 
-std::string from_here(const std::filesystem::path& path) {
-  return std::filesystem::proximate(path).string();
-}
-
-std::string h_beside_h_crit(const Study& study, const Score& s) {
-  return format("h = %.3g s, %.3g of h_crit", s.h, s.h / study.h_crit.front());
-}
-
 }  // namespace
 
 void print_references(const Study& study) {
@@ -157,68 +144,6 @@ void print_tables(const Study& study) {
     print_statistics(study);
   }
   print_failures(study);
-}
-
-std::string advice(const Study& study) {
-  const std::vector<Score> front = pareto_front(study.scores);
-  if (!study.can_judge() || front.empty())
-    return "No way can be told to be nearer to the truth than another; take the cheapest whose "
-           "energy, "
-           "lowest point and stretch you can live with.";
-  std::vector<Score> steps12, steps345;
-  for (const Score& s : study.scores) (s.trial.way.step < 3 ? steps12 : steps345).push_back(s);
-  const auto both_at = [&](double error) {
-    return std::pair(cheapest(steps12, error), cheapest(steps345, error));
-  };
-  // The smallest error that both kinds reach.
-  std::optional<double> common;
-  for (double error : asked)
-    if (const auto [a, b] = both_at(error); a && b) common = error;
-  const auto times = [&](const Score& dear, const Score& cheap) {
-    return format("%.2g", dear.baselines / cheap.baselines);
-  };
-  if (const auto turn = crossover(front))
-    return format(
-               "Down to an error of %.1e implicit steps are the cheapest (%s, %s); below it "
-               "explicit ones "
-               "are (%s, as long as h_crit = %.2g s allows)",
-               turn->first.judged(), name_of(front.front().trial.way).c_str(),
-               h_beside_h_crit(study, front.front()).c_str(),
-               name_of(turn->second.trial.way).c_str(), study.h_crit.front()) +
-           (common
-                ? format(": %s times cheaper at %.0e.",
-                         times(*both_at(*common).second, *both_at(*common).first).c_str(), *common)
-                : ".");
-  if (front.front().trial.way.step < 3)
-    return format(
-               "Take explicit steps (%s) for every error: h_crit = %.2g s is no burden to so soft "
-               "a cloth",
-               name_of(front.front().trial.way).c_str(), study.h_crit.front()) +
-           (common ? ", and at " + format("%.0e", *common) + " they are " +
-                         times(*both_at(*common).second, *both_at(*common).first) +
-                         " times cheaper than the best implicit way, " +
-                         name_of(both_at(*common).second->trial.way) + "."
-                   : ".");
-  return "Take implicit steps for every error: " + name_of(front.front().trial.way) + " where " +
-         format("%.1e", front.front().judged()) + " will do, " + name_of(front.back().trial.way) +
-         " down to " + format("%.1e", front.back().judged()) + ".";
-}
-
-std::string command_of(const Study& study, const Score& s) {
-  const auto mesh =
-      std::find_if(study.meshes.begin(), study.meshes.end(), [&](const StudyScene& candidate) {
-        return !candidate.scene.cloth.grid || candidate.scene.cloth.grid->cells[0] == s.cells;
-      });
-  const std::string program = program_of(s.trial.way.step);
-  return from_here(std::filesystem::path(PROGRAM_DIRECTORY) / program / program) + " " +
-         from_here(mesh->scene.file) + format(" --h %.17g", s.h) + options_of(s.trial.way) +
-         mesh->options + " --frames 1 --no-pictures --out " + from_here(study.out / "run");
-}
-
-std::string scoring_command_of(const Study& study, const Score& s) {
-  return from_here(std::filesystem::path(PROGRAM_DIRECTORY) / "tests/tradeoff/tradeoff") + " " +
-         study.arguments + (study.meshes.size() > 1 ? format(" --cells %d", s.cells) : "") +
-         " --score " + from_here(study.out / "run");
 }
 
 }  // namespace tradeoff

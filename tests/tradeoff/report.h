@@ -5,6 +5,8 @@
 
 namespace tradeoff {
 
+inline const std::vector<double> asked_errors = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
+
 // The reference's opinion of itself, a line per mesh.
 void print_references(const Study&);
 

@@ -101,7 +101,7 @@ Score run_trial(const StudyScene& study, const Reference& reference, const Trial
   Score score;
   score.trial = trial;
   score.h = trial.h(study.scene.time.end);
-  if (study.scene.cloth.grid) score.cells = study.scene.cloth.grid->cells[0];
+  score.cells = cells_of(study);
   std::vector<double> ratios;
   double spent = 0;
   try {

@@ -11,7 +11,7 @@ inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Score {
   Trial trial;
-  int cells = 0;  // along u; 0 for a mesh that is no grid
+  int cells = 0;  // cells_of its scene
   double h = 0;   // s
 
   std::string outcome;  // "done", or what went wrong

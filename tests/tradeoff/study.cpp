@@ -35,8 +35,9 @@ std::vector<Task> tasks_of(const Plan& plan, const Study& study) {
     for (const Way& way : ways_of(mesh.steps, plan.quick))
       for (long steps : step_counts(way, mesh.scene.time.end, study.h_crit[i])) {
         const double once = guess({way, steps}, mesh.scene.cloth);
+        const double baseline = 0.004;
         const double times = std::clamp(patience_of(plan) / once, 3.0, 9.0);
-        tasks.push_back({i, {way, steps}, times * once + 0.01});
+        tasks.push_back({i, {way, steps}, times * (once + baseline)});
       }
   }
   std::stable_sort(tasks.begin(), tasks.end(),
@@ -70,11 +71,6 @@ bool Study::can_judge() const {
                      [](const Reference& r) { return r.refusal().empty(); });
 }
 
-int Study::cells(size_t mesh) const {
-  const auto& grid = meshes[mesh].scene.cloth.grid;
-  return grid ? grid->cells[0] : 0;
-}
-
 Study prepare(const Plan& plan) {
   Study study;
   study.out = plan.out;
@@ -102,7 +98,7 @@ void run_trials(const Plan& plan, Study& study) {
   baseline.seconds();
   Progress progress{1000};
   for (const Task& task : tasks) {
-    if (!record.find(study.cells(task.mesh), task.trial)) {
+    if (!record.find(cells_of(study.meshes[task.mesh]), task.trial)) {
       const Score score = run_trial(study.meshes[task.mesh], study.references[task.mesh],
                                     task.trial, patience_of(plan), baseline);
       record.add(score, score.baselines * baseline.median_seconds());

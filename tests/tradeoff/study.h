@@ -20,8 +20,7 @@ struct Study {
   std::string arguments;  // that this study was asked with
 
   double seconds(const Score& s) const { return s.baselines * baseline_seconds; }
-  bool can_judge() const;        // is there a reference that does not refuse?
-  int cells(size_t mesh) const;  // along u; 0 where it is no grid
+  bool can_judge() const;  // is there a reference that does not refuse?
 };
 
 // Reads the scene, or writes it into plan.out, and finds what it is to be judged by.

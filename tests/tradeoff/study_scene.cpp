@@ -188,6 +188,11 @@ TestScene make_built_in(const Recipe& recipe, const Choice& choice) {
 
 }  // namespace
 
+int cells_of(const StudyScene& study) {
+  const auto& grid = study.scene.cloth.grid;
+  return grid ? std::max(grid->cells[0], grid->cells[1]) : 0;
+}
+
 const std::vector<BuiltIn>& built_in_scenes() {
   static const std::vector<BuiltIn> all = [] {
     std::vector<BuiltIn> described;

@@ -19,6 +19,9 @@ struct StudyScene {
   std::function<VecX(double time)> exact = {};  // where it is known, for a cloth without a mesh
 };
 
+// Of its grid, along the longer side; 0 where it is none.
+int cells_of(const StudyScene&);
+
 struct BuiltIn {
   const char* name;
   const char* letter;

@@ -145,7 +145,8 @@ Score invented(double error, double cost, int step = 1) {
 TEST_F(TradeOff, NothingOnTheFrontIsDominatedAndNothingElseIsNot) {
   std::vector<Score> scores;
   for (int i = 0; i < 200; ++i)
-    scores.push_back(invented(0.3 * std::exp(std::sin(12.9898 * i)), std::exp(std::sin(78.233 * i))));
+    scores.push_back(
+        invented(0.3 * std::exp(std::sin(12.9898 * i)), std::exp(std::sin(78.233 * i))));
   scores.push_back(invented(unknown, 1e-9));
   scores.push_back(invented(1e-9, 1e-9));
   scores.back().outcome = "exploded in step 3 of 8";
