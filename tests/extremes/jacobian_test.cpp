@@ -1,9 +1,9 @@
 // The matrices that were not chosen, and how they fail.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "extremes/outcome.h"
+#include "math/decompositions.h"
+#include "step03_implicit/time_step.h"
 
 namespace extremes {
 namespace {
@@ -53,7 +53,6 @@ TEST(PrintedMatrix, LetsTheStripBuckleIfNewtonsMethodGoesOn) {
 // The other remedy of the literature: of each element's −K, 9 × 9 and complete, the negative
 // eigenvalues are set to zero.
 void clamped_matrix(const Cloth& cloth, const State& state, step03::System& system) {
-  using Mat9 = Eigen::Matrix<double, 9, 9>;
   system.K.set_zero();
   auto slot = system.slots.triangles.begin();
   for (const Triangle& t : cloth.triangles.elements) {
@@ -62,15 +61,14 @@ void clamped_matrix(const Cloth& cloth, const State& state, step03::System& syst
     cloth.triangles.conditions(t, w, [&](const Term& term, const auto& c, const auto& second) {
       step03::act(term, c, second, Jacobian::bw98, wdot, sum);
     });
-    Mat9 K = Mat9::Zero();
+    MatX K = MatX::Zero(9, 9);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         for (int m = 0; m < 2; ++m)
           for (int n = 0; n < 2; ++n)
             K.block<3, 3>(3 * i, 3 * j) += t.weight(m, i) * sum.K[m][n] * t.weight(n, j);
-    const Eigen::SelfAdjointEigenSolver<Mat9> modes(K);
-    const Mat9 clamped = modes.eigenvectors() * modes.eigenvalues().cwiseMin(0.0).asDiagonal() *
-                         modes.eigenvectors().transpose();
+    const auto [values, vectors] = eigenpairs(K);
+    const MatX clamped = vectors * values.cwiseMin(0.0).asDiagonal() * vectors.transpose();
     std::array<std::array<Mat3, 3>, 3> blocks;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) blocks[i][j] = clamped.block<3, 3>(3 * i, 3 * j);

@@ -5,7 +5,7 @@
 
 #include "extremes/extreme_scenes.h"
 #include "program/diagnostics.h"
-#include "step03_implicit/time_step.h"
+#include "program/method.h"
 
 namespace extremes {
 
@@ -48,31 +48,15 @@ Outcome watch(TestScene scene, double h, int steps, System& system, const Step& 
   return o;
 }
 
-inline Outcome watch(const TestScene& scene, double h, int steps, const Method& method = {}) {
-  step03::System system(scene.cloth, method);
-  return watch(scene, h, steps, system, step03::time_step);
-}
+// By step 3.
+Outcome watch(const TestScene&, double h, int steps, const Method& = {});
 
 // The cloth at rest in the end: Newton's method at h = 10 s, where inertia is next to nothing, with the
 // velocity set to zero before every step, until a step moves no vertex by 1 µm. From 1e6 N/m on and
 // where the cloth lies in folds that no force resists it creeps on; its stretch has settled long before
 // the last of 20 steps.
-inline State hanging(const TestScene& scene) {
-  step03::System system(scene.cloth, {Jacobian::definite, 50});
-  State state = scene.start;
-  double moved = 1;
-  for (int i = 0; i < 20 && moved > 1e-6; ++i) {
-    const VecX before = state.x;
-    state.v.setZero();
-    step03::time_step(scene.cloth, 10, state, system);
-    moved = (state.x - before).lpNorm<Eigen::Infinity>();
-  }
-  state.v.setZero();
-  return state;
-}
+State hanging(const TestScene&);
 
-inline double static_stretch(const TestScene& scene) {
-  return max_stretch(scene.mesh, hanging(scene).x);
-}
+double static_stretch(const TestScene&);
 
 }  // namespace extremes

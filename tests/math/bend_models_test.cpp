@@ -1,7 +1,6 @@
 // The four models of bending: forces and energies, folds beyond a full one, what a collapsed flap does,
 // and what each model is known for.
 #include <algorithm>
-#include <Eigen/Eigenvalues>
 #include <map>
 
 #include "dense.h"
@@ -9,6 +8,7 @@
 #include "folds.h"
 #include "math/quadratic_bend.h"
 #include "scene/hinges.h"
+#include "step03_implicit/time_step.h"
 
 namespace {
 
@@ -223,7 +223,7 @@ MatX stiffness(const Condition<4>& c, const Mats<4>& second, double kept) {
   return K;
 }
 double lowest_over_highest(const MatX& K) {
-  const VecX values = Eigen::SelfAdjointEigenSolver<MatX>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  const VecX values = eigenvalues(K);
   return values.minCoeff() / values.cwiseAbs().maxCoeff();
 }
 
@@ -249,7 +249,7 @@ TEST(Bend, TheFullMatrixOfAUnitCellIsIndefinite) {
     p[2] *= std::sqrt(2);
     const Fold at = make_fold(p);
     const MatX K = stiffness(dihedral(hinge_near(0), at), angle_second(at), theta);
-    EXPECT_NEAR(Eigen::SelfAdjointEigenSolver<MatX>(K).eigenvalues()[0], lowest, 1e-3);
+    EXPECT_NEAR(eigenvalues(K)[0], lowest, 1e-3);
   }
 }
 
@@ -413,7 +413,7 @@ TEST(Quadratic, ForceIsLinear) {
   const Evaluated b = assembled(hinges, there, Jacobian::bw98);
   EXPECT_LT(relative(a.K, b.K), 1e-15);
   EXPECT_LT(relative(a.f, a.K * here.x), 1e-13);
-  const VecX values = Eigen::SelfAdjointEigenSolver<MatX>(-a.K).eigenvalues();
+  const VecX values = eigenvalues(-a.K);
   EXPECT_LT(values.head(9).cwiseAbs().maxCoeff(), 1e-14 * values[11]);
   EXPECT_GT(values[9], 0.99 * values[11]);
 }

@@ -1,7 +1,6 @@
 // The definite matrix: whatever the cloth does, no element can make A = M − h D − h² K indefinite. What
 // an element adds to A is positive semidefinite, and a sum of such, plus M, is positive definite.
 #include <gtest/gtest.h>
-#include <Eigen/Eigenvalues>
 
 #include "dense.h"
 
@@ -13,7 +12,7 @@ constexpr int poses = 10000;
 double lowest_eigenvalue(const Cloth& cloth, const State& state, double h, Jacobian jacobian) {
   const Evaluated e = evaluate(cloth, state, jacobian);
   const MatX A = -(h * e.D + h * h * e.K);
-  const VecX values = Eigen::SelfAdjointEigenSolver<MatX>(A, Eigen::EigenvaluesOnly).eigenvalues();
+  const VecX values = eigenvalues(A);
   return values.minCoeff() / std::max(values.cwiseAbs().maxCoeff(), 1e-300);
 }
 
@@ -106,8 +105,7 @@ TEST(Definite, ACrumpledSheetHasAPositiveDefiniteMatrix) {
     const Evaluated e = evaluate(cloth, state, Jacobian::definite);
     MatX A = -(0.1 * e.D + 0.01 * e.K);
     A.diagonal() += cloth.mass;
-    const VecX values =
-        Eigen::SelfAdjointEigenSolver<MatX>(A, Eigen::EigenvaluesOnly).eigenvalues();
+    const VecX values = eigenvalues(A);
     EXPECT_GE(values.minCoeff(), cloth.mass.minCoeff() * (1 - 1e-9)) << "state " << n;
   }
 }

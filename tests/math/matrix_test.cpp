@@ -4,6 +4,7 @@
 
 #include "dense.h"
 #include "differences.h"
+#include "step03_implicit/time_step.h"
 
 namespace {
 

@@ -51,7 +51,7 @@ double elongation_at_rest(int rows, double k) {
     const MatX K = stiffness_matrix(scene.cloth, scene.start, step01::forces, system, 1e-6);
     step01::forces(scene.cloth, scene.start, system);
     const VecX f = system.f(free);
-    scene.start.x(free) += MatX(K(free, free)).ldlt().solve(f);
+    scene.start.x(free) += solve(K(free, free), f);
   }
   step01::forces(scene.cloth, scene.start, system);
   const VecX f = system.f(free);

@@ -1,12 +1,10 @@
 // Vibration about a state by brute force: the stiffness matrix from differences of the forces, one
 // column at a time, and all frequencies from a dense eigenvalue solver.
 #pragma once
-#include <Eigen/Eigenvalues>
 #include <vector>
 
+#include "math/decompositions.h"
 #include "scene/cloth.h"
-
-using MatX = Eigen::MatrixXd;
 
 // K̂ = −∂f/∂x by central differences of width `reach`; forces that are linear in x leave no error but
 // rounding, f/reach.
@@ -38,10 +36,10 @@ inline Modes modes(const Cloth& cloth, const MatX& K) {
     if (cloth.inverse_mass[i] > 0) free.push_back(i);
   const VecX root = cloth.mass(free).cwiseSqrt().cwiseInverse();
   const MatX scaled = root.asDiagonal() * K(free, free) * root.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatX> solver(0.5 * (scaled + scaled.transpose()));
+  const Eigenpairs pairs = eigenpairs(0.5 * (scaled + scaled.transpose()));
   Modes m;
-  m.omega = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
+  m.omega = pairs.values.cwiseMax(0).cwiseSqrt();
   m.shape = MatX::Zero(cloth.mass.size(), root.size());
-  m.shape(free, Eigen::all) = root.asDiagonal() * solver.eigenvectors();
+  m.shape(free, Eigen::all) = root.asDiagonal() * pairs.vectors;
   return m;
 }
