@@ -1,0 +1,168 @@
+// A coarse stability map of every way, cell by cell: a step that has become less stable, or more, shows as
+// a map that differs. And what theory says of such maps.
+#include "extremes/stability.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace extremes {
+
+static void PrintTo(Verdict verdict, std::ostream* out) {
+  *out << name(verdict);
+}
+
+namespace {
+
+constexpr Watch coarse = {.cells = 4, .most = 60};
+
+const MapWay& way(const std::string& searched) {
+  for (const MapWay& map : map_ways())
+    if (map.name == searched) return map;
+  throw std::invalid_argument(searched + ": no such way");
+}
+
+// Lines from k = 1e8 N/m down to 1 and one for the strip; columns from h = 1e-4 s to 0.2 s.
+std::string map_of(const char* name) {
+  std::string text = "\n";
+  const auto line = [&](MapScene scene, double k) {
+    for (const double h : {1e-4, 5e-4, 2e-3, 1e-2, 5e-2, 0.2})
+      text += letter(watch_cell(way(name), scene, h, k, coarse).verdict);
+    text += '\n';
+  };
+  for (const double k : {1e8, 1e6, 1e4, 1e2, 1.0}) line(MapScene::drop, k);
+  line(MapScene::strip, 1e4);
+  return text;
+}
+
+TEST(StabilityMap, OfTheExplicitStep) {
+  EXPECT_EQ(map_of("step01"), R"(
+XXXXXX
+XXXXXX
+..XXXX
+..+XXX
+..++XX
++XXXXX
+)");
+}
+
+TEST(StabilityMap, OfTheExplicitStepWithDamping) {
+  EXPECT_EQ(map_of("step02"), R"(
+XXXXXX
+XXXXXX
+..XXXX
+..+XXX
+..++XX
+.XXXXX
+)");
+}
+
+// How far a cloth is thrown by an indefinite matrix is chance: 1000-fold or not.
+TEST(StabilityMap, OfThePrintedMatrix) {
+  std::string map = map_of("step03_bw98");
+  std::replace(map.begin(), map.end(), 'X', '+');
+  EXPECT_EQ(map, R"(
+...+++
+...+++
+....++
+.....+
+.....+
+.++FFF
+)");
+}
+
+TEST(StabilityMap, OfTheDefiniteMatrix) {
+  EXPECT_EQ(map_of("step03"), R"(
+...+++
+....++
+....++
+.....+
+.....+
+..+..+
+)");
+}
+
+TEST(StabilityMap, OfManyNewtonIterations) {
+  EXPECT_EQ(map_of("step03_newton"), R"(
+......
+......
+......
+......
+......
+......
+)");
+}
+
+// Solved well enough, the map is that of a factorisation.
+TEST(StabilityMap, OfConjugateGradients) {
+  for (const char* name : {"step04_block", "step04_multigrid"})
+    EXPECT_EQ(map_of(name), map_of("step03")) << name;
+}
+
+TEST(StabilityMap, OfBending) {
+  EXPECT_EQ(map_of("step05"), R"(
+...+++
+....++
+....++
+.....+
+......
+..++.+
+)");
+}
+
+// The line in the picture: h ω_max = 2, with the damping of step 2. On its one side energy wobbles by less
+// than a tenth of m g L, on the other it grows without end, or until damping throws a torn cloth about.
+TEST(ExplicitLimit, PartsWhatGainsEnergyFromWhatDoesNot) {
+  for (const char* name : {"step01", "step02"})
+    for (const double k : {1e1, 1e3, 1e5, 1e7}) {
+      const double limit = explicit_limit(way(name), k, coarse);
+      const auto gain = [&](double h) {
+        return watch_cell(way(name), MapScene::drop, h, k, coarse).gain;
+      };
+      EXPECT_LT(gain(0.8 * limit), 0.1) << name << ", k = " << k;
+      EXPECT_FALSE(gain(1.25 * limit) < 10) << name << ", k = " << k;
+    }
+}
+
+// 2/ω_max goes with k^−1/2; damping shortens it, and where it rules, with kd = k τ, the limit is that of
+// h kd: it goes with 1/k.
+TEST(ExplicitLimit, GoesWithTheRootOfKAndWithDampingWithK) {
+  const auto limit = [&](const char* name, double k) {
+    return explicit_limit(way(name), k, coarse);
+  };
+  EXPECT_NEAR(limit("step01", 1e2) / limit("step01", 1e6), 100, 0.1);
+  EXPECT_LT(limit("step02", 1e2), limit("step01", 1e2));
+  EXPECT_NEAR(limit("step02", 1e7) / limit("step02", 1e8), 10, 0.5);
+}
+
+TEST(Frozen, IsThePrintedMatrixWhereTheDefiniteOneBuckles) {
+  for (const double h : {1e-2, 1e-1, 1.0}) {
+    const Cell bw98 = watch_cell(way("step03_bw98"), MapScene::strip, h, 1e4, coarse);
+    EXPECT_EQ(bw98.verdict, Verdict::frozen) << "h = " << h;
+    EXPECT_EQ(bw98.indefinite, bw98.steps) << "and says so in every step; h = " << h;
+    const Cell definite = watch_cell(way("step03"), MapScene::strip, h, 1e4, coarse);
+    EXPECT_GT(definite.height, 0.1) << "h = " << h;
+    EXPECT_EQ(definite.indefinite, 0);
+  }
+}
+
+// The conditioning of A goes with h² k, and the iterations that blocks leave to do with its root.
+TEST(Capped, AreBlocksWhereAMultigridIsNot) {
+  const Watch watch = {.cells = 8, .fewest = 40, .most = 40};
+  const Cell block = watch_cell(way("step04_block"), MapScene::drop, 0.3, 1e8, watch),
+             grids = watch_cell(way("step04_multigrid"), MapScene::drop, 0.3, 1e8, watch);
+  EXPECT_EQ(block.verdict, Verdict::capped);
+  EXPECT_EQ(grids.capped, 0);
+}
+
+TEST(Newton, GainsNoEnergyWhereOneIterationDoes) {
+  for (const double k : {1e2, 1e5, 1e8})
+    for (const double h : {0.1, 0.5}) {
+      EXPECT_GT(watch_cell(way("step03"), MapScene::drop, h, k, coarse).gain, 0.01);
+      EXPECT_LT(watch_cell(way("step03_newton"), MapScene::drop, h, k, coarse).gain, 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace extremes
