@@ -73,7 +73,7 @@ const std::vector<MapWay>& map_ways() {
        {3, newton(Jacobian::bw98, 1)}},
       {"step03",
        "Step 3: the definite matrix",
-       "does not explode, but gains energy at long steps",
+       "holds together, but gains energy",
        {3, newton(Jacobian::definite, 1)}},
       {"step03_newton",
        "Step 3: up to 20 Newton iterations",
@@ -85,7 +85,7 @@ const std::vector<MapWay>& map_ways() {
        {4, cg("block")}},
       {"step04_multigrid",
        "Step 4: conjugate gradients, multigrid",
-       "as if solved exactly",
+       "nearly as if solved exactly",
        {4, cg("multigrid")}},
       {"step05", "Step 5: bending", "0.01 N·m: much as without", {5, cg("multigrid")}}};
   return all;

@@ -11,10 +11,10 @@ namespace extremes {
 // In this order of gravity, where several hold: of a cloth that exploded nothing else is of interest, and
 // what a solver left unsolved may gain energy, or be stiff, for that reason alone.
 enum class Verdict {
-  exploded,  // a position is not finite, or a thread over 1000 times its length, or 20 times in the end
-  frozen,  // a clamped strip that must buckle and did not
-  capped,  // conjugate gradients reached their most iterations, in any step
-  gains,   // more energy than at the start, by over 1e-3 of the scale below
+  exploded,  // not finite, or a thread over 1000 times its length, or over 20 times in the end
+  frozen,    // a clamped strip that must buckle and did not
+  capped,    // conjugate gradients reached their most iterations, in any step
+  gains,     // more energy than at the start, by over 1e-3 of the scale below
   stable
 };
 inline constexpr std::array all_verdicts = {Verdict::exploded, Verdict::frozen, Verdict::capped,
@@ -39,8 +39,8 @@ const std::vector<MapWay>& map_ways();
 // Two scenes. The drop: a square metre of cells × cells, k_shear = k, flat, falls, held by two corners;
 // energies are measured by m g L. The strip: a metre of 3 × 12 cells whose ends are held at 70 % of its
 // length; without gravity, and its energies are measured by that at the start. It has buckled when a
-// vertex has come 1 cm out of its plane: in zigzag, it can come no farther than 6 cm. Step 2 is damped by kd = k · 1e-4 s, step 5 has hinges of
-// 0.01 N·m; all else is equal.
+// vertex has come 1 cm out of its plane: in zigzag, it need come no farther than 6 cm. Step 2 is damped by
+// kd = k · 1e-4 s, step 5 has hinges of 0.01 N·m; all else is equal.
 enum class MapScene { drop, strip };
 inline const char* name(MapScene scene) {
   return scene == MapScene::drop ? "drop" : "strip";

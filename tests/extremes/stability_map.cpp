@@ -239,7 +239,7 @@ set tmargin at screen 0.985
 set bmargin at screen 0.700
 set xrange [0:1]
 set yrange [0:1]
-set label 10 "Which step survives which cloth?" at 0.02,0.94 font "sans:Bold,13"
+set label 10 "Which step survives which cloth?" at 0.02,0.94 font "sans:Bold,12"
 )";
   for (size_t i = 0; i < entries.size(); ++i) {
     const double y = 0.81 - 0.105 * double(i);
@@ -261,7 +261,7 @@ plot 2
 
 std::string script(const Study& study) {
   std::ostringstream gp;
-  gp << gnuplot_style << "\nset terminal pngcairo size 1120,1100 font \"sans,10.5\" background rgb "
+  gp << gnuplot_style << "\nset terminal pngcairo size 1020,1002 font \"sans,9.6\" background rgb "
      << "\"white\"\nset output \"" << study.file() << ".png\"\n"
      << "dx = " << 0.46 * study.decades_h() << "\ndy = " << 0.46 * study.decades_k() << R"(
 is(map, scene, x) = stringcolumn(1) eq map && stringcolumn(2) eq scene ? x : 1/0
