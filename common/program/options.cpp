@@ -6,14 +6,9 @@
 #include <map>
 
 #include "picture/renderer.h"
+#include "program/option_checks.h"
 
 namespace {
-
-std::string positive_number(const std::string& text) {
-  double number = 0;
-  if (CLI::detail::lexical_cast(text, number) && std::isfinite(number) && number > 0) return {};
-  return "wants a number above 0, not \"" + text + "\"";
-}
 
 std::string below_one(const std::string& text) {
   double number = 0;
@@ -25,12 +20,6 @@ std::string shortest(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", number);
   return text;
-}
-
-std::string positive_integer(const std::string& text) {
-  int number = 0;
-  if (CLI::detail::lexical_cast(text, number) && number > 0) return {};
-  return "wants a whole number from 1 on, not \"" + text + "\"";
 }
 
 std::array<int, 2> parse_size(const std::string& text) {
@@ -45,13 +34,6 @@ std::array<int, 2> parse_size(const std::string& text) {
     throw BadInput(std::string("--size: ") + error.what());
   }
   return size;
-}
-
-std::string one_line(std::string text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
-  for (char& c : text)
-    if (c == '\n') c = ' ';
-  return text;
 }
 
 void declare(CLI::App& app, const Program& program, Options& options, std::string& size) {

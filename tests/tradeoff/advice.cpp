@@ -1,6 +1,7 @@
 // What to take, in a sentence; and the commands that do it.
 #include <algorithm>
 
+#include "scene/text_file.h"
 #include "tradeoff/report.h"
 #include "tradeoff/text.h"
 
@@ -32,52 +33,71 @@ std::string way_of(const Score& s) {
   return name_of(s.trial.way);
 }
 
-std::string explicit_below(const Study& study, const std::vector<Score>& front, const Score& last) {
-  return format(
-      "Down to an error of %.1e implicit steps are the cheapest (%s with h = %.3g s, %.3g of "
-      "h_crit, "
-      "for %.1e); below it explicit ones are, as long as h_crit = %.2g s allows",
-      last.judged(), way_of(front.front()).c_str(), front.front().h,
-      front.front().h / study.h_crit.front(), front.front().judged(), study.h_crit.front());
+bool is_explicit(const Score& s) {
+  return s.trial.way.step < 3;
 }
 
-std::string always_explicit(const Study& study) {
-  return format(
-      "Take explicit steps for every error: h_crit = %.2g s is no burden to so soft a cloth",
-      study.h_crit.front());
-}
-
-std::string always_implicit(const Study& study, const std::vector<Score>& front) {
+// On the front implicit ways come first, or explicit ones, or only one of the two kinds is there.
+std::string which(const Study& study, const std::vector<Score>& front) {
+  const Score &cheap = front.front(), &best = front.back();
+  if (const auto turn = crossover(front))
+    return format(
+        "Down to an error of %.1e implicit steps are the cheapest (%s with h = %.3g s, %.3g "
+        "h_crit); below "
+        "it explicit ones are, as long as h_crit = %.2g s allows",
+        turn->first.judged(), way_of(turn->first).c_str(), turn->first.h,
+        turn->first.h / study.h_crit_of(turn->first), study.h_crit_of(turn->second));
+  if (std::all_of(front.begin(), front.end(), is_explicit))
+    return format(
+        "Take explicit steps for every error: h_crit = %.2g s is no burden to so soft a cloth",
+        study.h_crit_of(cheap));
+  if (is_explicit(cheap)) {
+    const auto last = std::find_if_not(front.begin(), front.end(), is_explicit) - 1;
+    return format("Explicit steps are the cheapest down to an error of %.1e; %s comes to %.1e",
+                  last->judged(), way_of(best).c_str(), best.judged());
+  }
   const bool choice = study.meshes.front().steps.front() < 3;
   return format(
       "%s: %s where an error of %.1e will do, %s down to %.1e",
       choice ? "Take implicit steps for every error" : "No explicit step can simulate this scene",
-      way_of(front.front()).c_str(), front.front().judged(), way_of(front.back()).c_str(),
-      front.back().judged());
+      way_of(cheap).c_str(), cheap.judged(), way_of(best).c_str(), best.judged());
 }
 
-std::string from_here(const std::filesystem::path& path) {
-  return std::filesystem::proximate(path).string();
+std::string number(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
 }
 
 }  // namespace
 
+std::string for_shell(const std::filesystem::path& path) {
+  std::string text = std::filesystem::proximate(path).string();
+  if (text.find('/') == std::string::npos) text = "./" + text;
+  const bool plain = text.find_first_not_of(
+                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                         "0123456789_-./+") == std::string::npos;
+  if (plain) return text;
+  for (size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 4)
+    text.replace(at, 1, "'\\''");
+  return "'" + text + "'";
+}
+
 std::string advice(const Study& study) {
-  const std::vector<Score> front = distinct(pareto_front(study.scores));
-  if (!study.can_judge() || front.empty())
+  if (!study.can_judge())
     return "No way can be told to be nearer to the truth than another; take the cheapest whose "
-           "energy, "
-           "lowest point and stretch you can live with.";
+           "energy, lowest "
+           "point and stretch you can live with.";
+  const std::vector<Score> front = distinct(pareto_front(study.scores));
+  if (front.empty()) return "No way that was tried came to a useful end; take smaller steps.";
   const auto turn = crossover(front);
-  if (!turn && front.front().trial.way.step > 2) return always_implicit(study, front) + ".";
-  const std::string which =
-      turn ? explicit_below(study, front, turn->first) : always_explicit(study);
   const auto both = compare(study);
-  if (!both) return which + ".";
-  return which +
-         format("; at %.0e they take %.3g ms, the best implicit way (%s) %.2g times as long.",
-                both->error, 1e3 * study.seconds(both->explicit_way),
-                way_of(both->implicit_way).c_str(), both->times());
+  std::string text = which(study, front);
+  if (both && is_explicit(front.back()) && (!turn || both->error < turn->first.judged()))
+    text += format("; at %.0e they take %.3g ms, the best implicit way (%s) %.2g times as long",
+                   both->error, 1e3 * study.seconds(both->explicit_way),
+                   way_of(both->implicit_way).c_str(), both->times());
+  return text + ".";
 }
 
 std::string command_of(const Study& study, const Score& s) {
@@ -85,15 +105,15 @@ std::string command_of(const Study& study, const Score& s) {
       std::find_if(study.meshes.begin(), study.meshes.end(),
                    [&](const StudyScene& candidate) { return cells_of(candidate) == s.cells; });
   const std::string program = program_of(s.trial.way.step);
-  return from_here(std::filesystem::path(PROGRAM_DIRECTORY) / program / program) + " " +
-         from_here(mesh->scene.file) + format(" --h %.17g", s.h) + options_of(s.trial.way) +
-         mesh->options + " --frames 1 --no-pictures --out " + from_here(study.out / "run");
+  return for_shell(std::filesystem::path(PROGRAM_DIRECTORY) / program / program) + " " +
+         for_shell(mesh->scene.file) + " --h " + number(s.h) + options_of(s.trial.way) +
+         mesh->options + " --frames 1 --no-pictures --out " + for_shell(study.out / "run");
 }
 
 std::string scoring_command_of(const Study& study, const Score& s) {
-  return from_here(std::filesystem::path(PROGRAM_DIRECTORY) / "tests/tradeoff/tradeoff") + " " +
+  return for_shell(std::filesystem::path(PROGRAM_DIRECTORY) / "tests/tradeoff/tradeoff") + " " +
          study.arguments + (study.meshes.size() > 1 ? format(" --cells %d", s.cells) : "") +
-         " --score " + from_here(study.out / "run");
+         " --score " + for_shell(study.out / "run");
 }
 
 }  // namespace tradeoff

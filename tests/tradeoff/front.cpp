@@ -6,11 +6,10 @@ namespace tradeoff {
 
 namespace {
 
-// Those that came to an end and have something to do with the truth: less than the size away from it.
-std::vector<Score> judged(const std::vector<Score>& scores) {
+std::vector<Score> answers(const std::vector<Score>& scores) {
   std::vector<Score> kept;
   for (const Score& score : scores)
-    if (score.done() && score.judged() < 1) kept.push_back(score);
+    if (score.is_answer()) kept.push_back(score);
   return kept;
 }
 
@@ -18,7 +17,7 @@ template <class Better, class Enough>
 std::optional<Score> best(const std::vector<Score>& scores, const Better& better,
                           const Enough& enough) {
   std::optional<Score> found;
-  for (const Score& score : judged(scores))
+  for (const Score& score : answers(scores))
     if (enough(score) && (!found || better(score, *found))) found = score;
   return found;
 }
@@ -33,7 +32,7 @@ bool more_accurate(const Score& a, const Score& b) {
 }  // namespace
 
 std::vector<Score> pareto_front(const std::vector<Score>& scores) {
-  std::vector<Score> sorted = judged(scores), front;
+  std::vector<Score> sorted = answers(scores), front;
   std::sort(sorted.begin(), sorted.end(), [](const Score& a, const Score& b) {
     return std::pair(a.baselines, a.judged()) < std::pair(b.baselines, b.judged());
   });

@@ -33,11 +33,6 @@ const std::vector<Series> all_series = {
      [](const Way& way) { return way.step > 2 && way.method.newton > 1; }},
 };
 
-// What came to an end less than its own size away from where it should be.
-bool shown(const Score& s) {
-  return s.done() && s.judged() < 1;
-}
-
 std::string data_block(const std::string& name, const Study& study,
                        const std::vector<Score>& scores) {
   std::string block = "$" + name + " << EOD\n";
@@ -64,8 +59,8 @@ std::string labels(const Study& study, const std::vector<Score>& front) {
   for (size_t i = 0; i < marked.size(); ++i)
     text += format(
         "set label %d \"%s\\nh = %.3g h_{crit}\" at %g,%g right offset -1.2,-0.4 font ',11'\n",
-        int(100 + i), name_of(marked[i].trial.way).c_str(), marked[i].h / study.h_crit.front(),
-        study.seconds(marked[i]), marked[i].judged());
+        int(100 + i), name_of(marked[i].trial.way).c_str(),
+        marked[i].h / study.h_crit_of(marked[i]), study.seconds(marked[i]), marked[i].judged());
   return text;
 }
 
@@ -79,7 +74,7 @@ std::string series_and_front(const Study& study, const std::vector<Score>& front
     const auto& [title, style, holds] = all_series[i];
     std::vector<Score> kept;
     for (const Score& s : study.scores)
-      if (shown(s) && holds(s.trial.way)) kept.push_back(s);
+      if (s.is_answer() && holds(s.trial.way)) kept.push_back(s);
     if (kept.empty()) continue;
     const std::string name = "series" + std::to_string(i);
     data += data_block(name, study, kept) + data_block(name + "_front", study, pareto_front(kept));
@@ -93,7 +88,7 @@ std::string series_and_front(const Study& study, const std::vector<Score>& front
 std::string script(const Study& study) {
   double fastest = 1e300, slowest = 0, best = 1e300, worst = 0;
   for (const Score& s : study.scores)
-    if (shown(s)) {
+    if (s.is_answer()) {
       fastest = std::min(fastest, study.seconds(s)), slowest = std::max(slowest, study.seconds(s));
       best = std::min(best, s.judged()), worst = std::max(worst, s.judged());
     }

@@ -1,7 +1,10 @@
 #include "tradeoff/record.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <functional>
 #include <stdexcept>
 
 #include "scene/text_file.h"
@@ -23,7 +26,7 @@ Column real(const char* name, const Get& get) {
       name,
       [get](const Score& s) {
         char text[32];
-        std::snprintf(text, sizeof text, "%.9g", get(const_cast<Score&>(s)));
+        std::snprintf(text, sizeof text, "%.9g", get(s));
         return std::string(text);
       },
       [get](const std::string& text, Score& s) { get(s) = std::strtod(text.c_str(), nullptr); }};
@@ -32,7 +35,7 @@ Column real(const char* name, const Get& get) {
 template <class Get>
 Column whole(const char* name, const Get& get) {
   using Whole = std::remove_reference_t<decltype(get(std::declval<Score&>()))>;
-  return {name, [get](const Score& s) { return std::to_string(get(const_cast<Score&>(s))); },
+  return {name, [get](const Score& s) { return std::to_string(get(s)); },
           [get](const std::string& text, Score& s) {
             get(s) = Whole(std::strtol(text.c_str(), nullptr, 10));
           }};
@@ -40,23 +43,22 @@ Column whole(const char* name, const Get& get) {
 
 template <class Get>
 Column word(const char* name, const Get& get) {
-  return {name,
-          [get](const Score& s) {
-            std::string text = get(const_cast<Score&>(s));
-            std::replace(text.begin(), text.end(), ',', ';');
-            return text;
-          },
+  return {name, [get](const Score& s) { return get(s); },
           [get](const std::string& text, Score& s) { get(s) = text; }};
 }
 
 const std::vector<Column>& columns() {
   static const std::vector<Column> all = {
-      whole("cells", [](Score& s) -> int& { return s.cells; }),
-      whole("step", [](Score& s) -> int& { return s.trial.way.step; }),
-      word("solver", [](Score& s) -> std::string& { return s.trial.way.method.solver; }),
-      word("preconditioner",
-           [](Score& s) -> std::string& { return s.trial.way.method.preconditioner; }),
-      real("tolerance", [](Score& s) -> double& { return s.trial.way.method.tolerance; }),
+      whole(
+          "cells", [](auto& s) -> auto& { return s.cells; }),
+      whole(
+          "step", [](auto& s) -> auto& { return s.trial.way.step; }),
+      word(
+          "solver", [](auto& s) -> auto& { return s.trial.way.method.solver; }),
+      word(
+          "preconditioner", [](auto& s) -> auto& { return s.trial.way.method.preconditioner; }),
+      real(
+          "tolerance", [](auto& s) -> auto& { return s.trial.way.method.tolerance; }),
       {"jacobian",
        [](const Score& s) {
          return std::string(s.trial.way.method.jacobian == Jacobian::bw98 ? "bw98" : "definite");
@@ -64,28 +66,50 @@ const std::vector<Column>& columns() {
        [](const std::string& text, Score& s) {
          s.trial.way.method.jacobian = text == "bw98" ? Jacobian::bw98 : Jacobian::definite;
        }},
-      whole("newton", [](Score& s) -> int& { return s.trial.way.method.newton; }),
-      real("h", [](Score& s) -> double& { return s.h; }),
-      whole("steps", [](Score& s) -> long& { return s.trial.steps; }),
-      word("outcome", [](Score& s) -> std::string& { return s.outcome; }),
-      real("error", [](Score& s) -> double& { return s.error; }),
-      real("total_error", [](Score& s) -> double& { return s.total_error; }),
-      real("energy_error", [](Score& s) -> double& { return s.energy_error; }),
-      real("stretch_error", [](Score& s) -> double& { return s.stretch_error; }),
-      real("energy", [](Score& s) -> double& { return s.energy; }),
-      real("lowest", [](Score& s) -> double& { return s.lowest; }),
-      real("stretch", [](Score& s) -> double& { return s.stretch; }),
-      whole("forces", [](Score& s) -> long& { return s.counts.forces; }),
-      whole("energies", [](Score& s) -> long& { return s.counts.energies; }),
-      whole("assemblies", [](Score& s) -> long& { return s.counts.assemblies; }),
-      whole("products", [](Score& s) -> long& { return s.counts.products; }),
-      whole("bytes", [](Score& s) -> long& { return s.counts.bytes; }),
-      whole("iterations", [](Score& s) -> long& { return s.counts.iterations; }),
-      whole("indefinite", [](Score& s) -> long& { return s.counts.indefinite; }),
-      whole("capped", [](Score& s) -> long& { return s.counts.capped; }),
-      whole("unconverged", [](Score& s) -> long& { return s.counts.unconverged; }),
-      whole("repeats", [](Score& s) -> int& { return s.repeats; }),
-      real("baselines", [](Score& s) -> double& { return s.baselines; }),
+      whole(
+          "newton", [](auto& s) -> auto& { return s.trial.way.method.newton; }),
+      real(
+          "h", [](auto& s) -> auto& { return s.h; }),
+      whole(
+          "steps", [](auto& s) -> auto& { return s.trial.steps; }),
+      word(
+          "outcome", [](auto& s) -> auto& { return s.outcome; }),
+      real(
+          "error", [](auto& s) -> auto& { return s.error; }),
+      real(
+          "total_error", [](auto& s) -> auto& { return s.total_error; }),
+      real(
+          "energy_error", [](auto& s) -> auto& { return s.energy_error; }),
+      real(
+          "stretch_error", [](auto& s) -> auto& { return s.stretch_error; }),
+      real(
+          "energy", [](auto& s) -> auto& { return s.energy; }),
+      real(
+          "lowest", [](auto& s) -> auto& { return s.lowest; }),
+      real(
+          "stretch", [](auto& s) -> auto& { return s.stretch; }),
+      whole(
+          "forces", [](auto& s) -> auto& { return s.counts.forces; }),
+      whole(
+          "energies", [](auto& s) -> auto& { return s.counts.energies; }),
+      whole(
+          "assemblies", [](auto& s) -> auto& { return s.counts.assemblies; }),
+      whole(
+          "products", [](auto& s) -> auto& { return s.counts.products; }),
+      whole(
+          "bytes", [](auto& s) -> auto& { return s.counts.bytes; }),
+      whole(
+          "iterations", [](auto& s) -> auto& { return s.counts.iterations; }),
+      whole(
+          "indefinite", [](auto& s) -> auto& { return s.counts.indefinite; }),
+      whole(
+          "capped", [](auto& s) -> auto& { return s.counts.capped; }),
+      whole(
+          "unconverged", [](auto& s) -> auto& { return s.counts.unconverged; }),
+      whole(
+          "repeats", [](auto& s) -> auto& { return s.repeats; }),
+      real(
+          "baselines", [](auto& s) -> auto& { return s.baselines; }),
   };
   return all;
 }
@@ -121,8 +145,13 @@ Record::Record(const std::filesystem::path& file_, const std::string& study_)
   if (no_file(file).empty()) {
     const std::string text = read_text(file);
     std::string_view rest = text, line;
-    bool same_columns = take_line(rest, line) && line == header();
-    while (same_columns && take_line(rest, line)) {
+    if (!take_line(rest, line) || line != header()) {
+      const std::filesystem::path old = file.string() + ".old";
+      std::filesystem::rename(file, old);
+      std::printf("  %s has other columns; it is now %s\n", file.c_str(), old.c_str());
+      rest = {};
+    }
+    while (take_line(rest, line)) {
       const std::vector<std::string> cells = split(line);
       if (cells.size() != columns().size() + 3) continue;  // broken off
       kept_rows += std::string(line) + "\n";
@@ -135,6 +164,7 @@ Record::Record(const std::filesystem::path& file_, const std::string& study_)
   kept = all.size();
   write_text(file, header() + "\n" + kept_rows);
   out.open(file, std::ios::app);
+  if (!out) throw std::runtime_error(file.string() + ": " + std::strerror(errno));
 }
 
 const Score* Record::find(int cells, const Trial& trial) const {

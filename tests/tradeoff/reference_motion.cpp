@@ -1,9 +1,9 @@
 #include "tradeoff/reference_motion.h"
 
-#include <cstdio>
-
 #include "bench/cpu_time.h"
 #include "physics/reference.h"
+#include "program/diagnostics.h"
+#include "tradeoff/text.h"
 #include "ways/way.h"
 
 namespace tradeoff {
@@ -13,22 +13,16 @@ namespace {
 constexpr double moved = 1e-9;   // m
 constexpr double enough = 1e-6;  // of the size: an error that no trial undercuts
 
-// The Runge-Kutta method on the forces of a step that has them all. Of a force, pins leave what their
-// filter does; of the velocities at the start, they prescribe what they hold.
+// The Runge-Kutta method on the forces of a step that has them all; of a force, pins leave what their filter
+// does. Every run begins with the folds of the start.
 class FineMotion {
  public:
-  explicit FineMotion(const StudyScene& study)
-      : cloth(study.scene.cloth), start(study.scene.start),
+  explicit FineMotion(const StudyScene& study_)
+      : study(study_), cloth(study.scene.cloth),
         simulator(
-            make_simulator({cloth.hinges.bend || cloth.quadratic_hinges.bend ? 5 : 2}, cloth)),
-        end(study.scene.time.end) {
-    for (const Pin& pin : cloth.pins) {
-      const Vec3 v = start.v.segment<3>(3 * pin.vertex);
-      start.v.segment<3>(3 * pin.vertex) = pin.velocity + pin.S * (v - pin.velocity);
-    }
-  }
+            make_simulator({cloth.hinges.bend || cloth.quadratic_hinges.bend ? 5 : 2}, cloth)) {}
 
-  State run(long steps, double by = 0) {
+  Reference run(long steps, double by = 0) {
     struct {
       VecX f;
     } system;
@@ -40,84 +34,100 @@ class FineMotion {
       }
     };
     const Stepper step = rk4(cloth, forces, system);
-    State state = begun_elsewhere(by);
-    cloth.hinges.follow(state.x);
+    Reference run;
+    run.steps = steps;
+    run.state = begun_elsewhere(by);
+    cloth.hinges = study.scene.cloth.hinges;
+    cloth.hinges.follow(run.state.x);
     for (long n = 0; n < steps; ++n) {
-      step(end / double(steps), state);
-      cloth.hinges.follow(state.x);
+      step(study.scene.time.end / double(steps), run.state);
+      cloth.hinges.follow(run.state.x);
     }
-    return state;
+    run.energy = energy_of(cloth, run.state);
+    return run;
   }
 
   // Vertices up to `by` m from where they should be, irregular and the same on every machine.
   State begun_elsewhere(double by) const {
-    State state = start;
-    for (int i = 0; i < state.x.size(); ++i)
-      if (cloth.inverse_mass[i] > 0) state.x[i] += by * std::sin(12.9898 * i);
+    State state = study.scene.start;
+    VecX away(state.x.size());
+    for (int i = 0; i < away.size(); ++i) away[i] = by * std::sin(12.9898 * i);
+    for (const Pin& pin : cloth.pins) {
+      const Vec3 a = away.segment<3>(3 * pin.vertex);
+      away.segment<3>(3 * pin.vertex) = pin.S * a;
+    }
+    state.x += away;
     return state;
   }
 
   double distance(const State& a, const State& b) const { return rms_distance(cloth, a.x, b.x); }
+
+  // Beginning with half of the step that symplectic Euler survives.
   long coarsest() {
-    const double h = critical_step(*simulator, cloth, start);
-    return std::max(8L, std::lround(std::ceil(end / (0.5 * h))));
+    const double h = critical_step(*simulator, cloth, study.scene.start);
+    return std::max(8L, std::lround(std::ceil(study.scene.time.end / (0.5 * h))));
+  }
+
+  // How much farther apart two runs end than they began.
+  double growth(const Reference& from) {
+    const double grown = distance(run(from.steps, moved).state, from.state) /
+                         distance(begun_elsewhere(moved), begun_elsewhere(0));
+    return std::isfinite(grown) ? grown : 1e300;
   }
 
  private:
+  const StudyScene& study;
   Cloth cloth;
-  State start;
   std::unique_ptr<Simulator> simulator;
-  double end;
 };
 
 }  // namespace
 
+double energy_of(Cloth& cloth, const State& state) {
+  cloth.hinges.follow(state.x);
+  return energies(cloth, state).total();
+}
+
 std::string Reference::refusal() const {
   if (floor() <= worst_floor) return {};
-  char text[300];
+  if (!state.x.allFinite())
+    return format("the reference exploded even with %ld steps of order 4", steps);
   if (self_check >= 1e300)
-    std::snprintf(text, sizeof text,
-                  "there is no time for a reference: %ld steps of order 4 took %.0f s", steps,
+    return format("there is no time for a reference: %ld steps of order 4 take %.0f s", steps,
                   seconds);
-  else if (!(1e3 * self_check <= worst_floor))
-    std::snprintf(
-        text, sizeof text,
+  if (!(1e3 * self_check <= worst_floor))
+    return format(
         "the reference is not converged: %ld and %ld steps of order 4 end %.1e of the size apart, "
         "and it would take %.0e",
         steps / 2, steps, self_check, 1e-3 * worst_floor);
-  else
-    std::snprintf(
-        text, sizeof text,
-        "the scene makes %.0f nm out of 1 nm, so that with %.1e left between two references no "
-        "error below %.0e can be told",
-        growth, self_check, floor());
-  return text;
+  return format(
+      "what begins 1 nm elsewhere ends %.0f nm elsewhere, and so no error below %.0e can be told "
+      "while two references differ by %.1e",
+      growth, floor(), self_check);
 }
 
-Reference find_reference(const StudyScene& study, double patience) {
+Reference find_reference(const StudyScene& study, double patience,
+                         const std::function<void(const Reference&)>& report) {
   FineMotion motion(study);
-  Reference reference;
   const double begin = cpu_seconds();
-  long steps = motion.coarsest();
-  State before = motion.run(steps);
-  double last = cpu_seconds() - begin;
-  reference.growth = motion.distance(motion.run(steps, moved), before) /
-                     motion.distance(motion.begun_elsewhere(moved), motion.begun_elsewhere(0));
-  reference.steps = steps;
-  reference.state = before;
-  while (!(reference.floor() < enough) && cpu_seconds() - begin + 2 * last < patience) {
-    const double check_before = reference.self_check, at = cpu_seconds();
-    reference.steps = steps *= 2;
-    reference.state = motion.run(steps);
-    last = cpu_seconds() - at;
-    const double check = motion.distance(reference.state, before) / study.size;
-    reference.self_check = std::isfinite(check) ? check : 1e300;
-    if (check_before < 1e300) reference.order = std::log2(check_before / reference.self_check);
-    before = reference.state;
-    if (reference.order < 2 && reference.self_check < 1e-10) break;  // the rest is rounding
+  Reference last = motion.run(motion.coarsest());
+  last.seconds = cpu_seconds() - begin;
+  double run_seconds = last.seconds;
+  while (last.seconds + 4 * run_seconds < patience) {  // two runs, one of them begun elsewhere
+    const double at = cpu_seconds();
+    Reference finer = motion.run(2 * last.steps);
+    run_seconds = cpu_seconds() - at;
+    const double apart = motion.distance(finer.state, last.state) / study.size;
+    finer.self_check = std::isfinite(apart) ? apart : 1e300;
+    if (last.self_check < 1e300) finer.order = std::log2(last.self_check / finer.self_check);
+    finer.growth = motion.growth(last);
+    finer.seconds = cpu_seconds() - begin;
+    last = finer;
+    if (report) report(last);
+    const bool only_rounding = last.order < 2 && last.self_check < 1e-10;
+    if (last.floor() < enough || only_rounding) break;
   }
-  reference.seconds = cpu_seconds() - begin;
-  return reference;
+  return last;
 }
 
 }  // namespace tradeoff

@@ -1,5 +1,7 @@
 #include "tradeoff/score.h"
 
+#include <algorithm>
+
 #include "bench/cpu_time.h"
 #include "physics/reference.h"
 #include "physics/scenes.h"
@@ -12,6 +14,7 @@ namespace {
 constexpr double exploded_stretch = 1000;  // as in the programs
 
 struct Motion {
+  Cloth cloth;  // with its folds
   State state;
   Counts counts;
   double seconds;
@@ -32,13 +35,12 @@ std::string trouble(const StudyScene& study, const State& state, long n, long st
 
 // The steps alone are timed; what is done once, before the first, is not.
 Motion move(const StudyScene& study, const Trial& trial, double patience) {
-  Cloth cloth = study.scene.cloth;
-  const auto simulator = make_simulator(trial.way, cloth);
-  Motion motion{study.scene.start, {}, 0, ""};
+  Motion motion{study.scene.cloth, study.scene.start, {}, 0, ""};
+  const auto simulator = make_simulator(trial.way, motion.cloth);
   const double h = trial.h(study.scene.time.end);
-  const long looks = std::max(1L, trial.steps / 20);
+  const long between_looks = std::max(1L, trial.steps / 20);
   for (long n = 0; n < trial.steps && motion.outcome.empty();) {
-    const long until = std::min(n + looks, trial.steps);
+    const long until = std::min(n + between_looks, trial.steps);
     motion.seconds += seconds([&] {
       for (; n < until; ++n) simulator->step(h, motion.state);
     });
@@ -57,18 +59,18 @@ double lowest_point(const VecX& x) {
 
 double energy_scale(const StudyScene& study) {
   const Cloth& cloth = study.scene.cloth;
-  if (!cloth.gravity) return energies(cloth, study.scene.start).total();
+  if (!cloth.gravity) return std::max(energies(cloth, study.scene.start).total(), 1e-12);
   return cloth.mass.sum() / 3 * cloth.gravity->norm() * study.size;
 }
 
 }  // namespace
 
-double Baseline::seconds() {
+double Baseline::run() {
   static const TestScene scene = trampoline();
   Cloth cloth = scene.cloth;
   const auto simulator = make_simulator({1}, cloth);
   State state = scene.start;
-  times.push_back(::seconds([&] {
+  times.push_back(seconds([&] {
     for (int n = 0; n < 2000; ++n) simulator->step(1e-4, state);
   }));
   return times.back();
@@ -78,21 +80,16 @@ double Baseline::median_seconds() const {
   return median(times);
 }
 
-void judge(const StudyScene& study, const Reference& reference, const State& state, Score& score) {
-  Cloth cloth = study.scene.cloth;
-  const auto energy_of = [&](const State& at) {
-    cloth.hinges.follow(at.x);
-    return energies(cloth, at).total();
-  };
-  score.energy = energy_of(state);
+void judge(const StudyScene& study, const Reference& reference, Cloth& cloth, const State& state,
+           Score& score) {
+  score.energy = energy_of(cloth, state);
   score.lowest = lowest_point(state.x);
   score.stretch = max_stretch(study.scene.mesh, state.x);
   if (!reference.refusal().empty()) return;
-  score.error = rms_distance(cloth, state.x, reference.state.x) / study.size;
-  if (study.exact)
-    score.total_error =
-        rms_distance(cloth, state.x, study.exact(study.scene.time.end)) / study.size;
-  score.energy_error = std::abs(score.energy - energy_of(reference.state)) / energy_scale(study);
+  const auto distance = [&](const VecX& x) { return rms_distance(cloth, state.x, x) / study.size; };
+  score.error = std::max(distance(reference.state.x), reference.floor());
+  if (study.exact) score.total_error = distance(study.exact(study.scene.time.end));
+  score.energy_error = std::abs(score.energy - reference.energy) / energy_scale(study);
   score.stretch_error = std::abs(score.stretch - max_stretch(study.scene.mesh, reference.state.x));
 }
 
@@ -106,20 +103,21 @@ Score run_trial(const StudyScene& study, const Reference& reference, const Trial
   double spent = 0;
   try {
     while (ratios.size() < 3 || (ratios.size() < 9 && spent < patience)) {
-      const double unit = baseline.seconds();
-      const Motion motion = move(study, trial, 20 * patience);
+      const double unit = baseline.run();
+      Motion motion = move(study, trial, 20 * patience);
       spent += motion.seconds;
       ratios.push_back(motion.seconds / unit);
       if (ratios.size() == 1) {
         score.outcome = motion.outcome;
         score.counts = motion.counts;
         if (!score.done()) break;
-        judge(study, reference, motion.state, score);
+        judge(study, reference, motion.cloth, motion.state, score);
       }
       if (spent > 10 * patience) break;
     }
   } catch (const std::invalid_argument& cannot) {
     score.outcome = cannot.what();
+    std::replace(score.outcome.begin(), score.outcome.end(), ',', ';');  // a cell of tradeoff.csv
     return score;
   }
   score.repeats = int(ratios.size());

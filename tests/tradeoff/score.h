@@ -11,7 +11,7 @@ inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Score {
   Trial trial;
-  int cells = 0;  // cells_of its scene
+  int cells = 0;  // along u; 0 for a mesh that is no grid
   double h = 0;   // s
 
   std::string outcome;  // "done", or what went wrong
@@ -30,6 +30,9 @@ struct Score {
   int repeats = 0;
   double baselines = unknown;  // the time, in times of the baseline: median of interleaved rounds
 
+  // Did it come to an end that has something to do with the truth: less than the size away from it?
+  bool is_answer() const { return done() && judged() < 1; }
+
   // The error that counts for this scene.
   double judged() const { return total_error == total_error ? total_error : error; }
 };
@@ -37,17 +40,18 @@ struct Score {
 // A fixed piece of work that all times are measured in: 2000 explicit steps of the trampoline.
 class Baseline {
  public:
-  double seconds();               // does the work
+  double run();                   // s
   double median_seconds() const;  // of all so far
  private:
   std::vector<double> times;
 };
 
-// Runs the trial once for its error, and again, each time with the baseline before it, for its time:
-// three times at least and nine at most, as `patience` s allow; a single run may take twenty `patience`.
+// Runs the trial once for its error, and again, each time with the baseline before it, for its time: nine
+// times at most, as often as fits into `patience` s, but three times unless that takes ten times as long. A
+// single run may take twenty `patience`. An error that is smaller than the reference can tell is as large.
 Score run_trial(const StudyScene&, const Reference&, const Trial&, double patience, Baseline&);
 
-// Fills in the errors of a state against the reference.
-void judge(const StudyScene&, const Reference&, const State&, Score&);
+// Fills in the errors of a cloth at the end, which may remember folds, against the reference.
+void judge(const StudyScene&, const Reference&, Cloth&, const State&, Score&);
 
 }  // namespace tradeoff

@@ -1,10 +1,12 @@
 #include "tradeoff/study.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "program/progress.h"
 #include "scene/text_file.h"
+#include "tradeoff/text.h"
 
 namespace tradeoff {
 
@@ -34,8 +36,7 @@ std::vector<Task> tasks_of(const Plan& plan, const Study& study) {
     const StudyScene& mesh = study.meshes[i];
     for (const Way& way : ways_of(mesh.steps, plan.quick))
       for (long steps : step_counts(way, mesh.scene.time.end, study.h_crit[i])) {
-        const double once = guess({way, steps}, mesh.scene.cloth);
-        const double baseline = 0.004;
+        const double once = guess({way, steps}, mesh.scene.cloth), baseline = 0.004;
         const double times = std::clamp(patience_of(plan) / once, 3.0, 9.0);
         tasks.push_back({i, {way, steps}, times * (once + baseline)});
       }
@@ -45,23 +46,31 @@ std::vector<Task> tasks_of(const Plan& plan, const Study& study) {
   return tasks;
 }
 
-// Everything that a score depends on, in a short word (FNV-1a).
+// Everything that a score depends on, in a short word (FNV-1a): the program itself, for it is its steps
+// that are judged, the scene, and what is judged by.
 std::string fingerprint(const Plan& plan, const Study& study) {
   std::uint64_t hash = 14695981039346656037u;
   const auto add = [&](const void* data, size_t size) {
     for (size_t i = 0; i < size; ++i)
       hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 1099511628211u;
   };
-  for (const StudyScene& mesh : study.meshes) {
-    const std::string text = read_text(mesh.scene.file);
-    add(text.data(), text.size());
+  const auto add_text = [&](const std::string& text) { add(text.data(), text.size()); };
+  if (no_file("/proc/self/exe").empty()) add_text(read_text("/proc/self/exe"));
+  for (size_t i = 0; i < study.meshes.size(); ++i) {
+    const StudyScene& mesh = study.meshes[i];
+    add_text(read_text(mesh.scene.file) + mesh.options);
     for (const VecX* numbers : {&mesh.scene.start.x, &mesh.scene.start.v, &mesh.scene.cloth.mass})
       add(numbers->data(), sizeof(double) * size_t(numbers->size()));
+    add_text(std::to_string(study.references[i].steps) + study.references[i].refusal());
   }
   add(&plan.quick, sizeof plan.quick);  // its times are of fewer rounds
-  char word[20];
-  std::snprintf(word, sizeof word, "%016llx", static_cast<unsigned long long>(hash));
-  return word;
+  return format("%016llx", static_cast<unsigned long long>(hash));
+}
+
+size_t mesh_of(const Study& study, const Score& score) {
+  size_t mesh = 0;
+  while (mesh + 1 < study.meshes.size() && cells_of(study.meshes[mesh]) != score.cells) ++mesh;
+  return mesh;
 }
 
 }  // namespace
@@ -71,7 +80,16 @@ bool Study::can_judge() const {
                      [](const Reference& r) { return r.refusal().empty(); });
 }
 
+double Study::h_crit_of(const Score& score) const {
+  return h_crit[mesh_of(*this, score)];
+}
+
 Study prepare(const Plan& plan) {
+  std::error_code error;
+  std::filesystem::create_directories(plan.out, error);
+  if (error)
+    throw BadInput("--out " + plan.out.string() + ": " + error.message() +
+                   "; name a directory that can be written");
   Study study;
   study.out = plan.out;
   for (const Choice& choice : meshes_of(plan.choice)) {
@@ -79,30 +97,54 @@ Study prepare(const Plan& plan) {
     study.meshes.push_back(make_study_scene(choice, plan.out / mesh));
     const StudyScene& scene = study.meshes.back();
     Cloth cloth = scene.scene.cloth;
-    study.h_crit.push_back(critical_step(*make_simulator({scene.steps.front() < 3 ? 2 : 5}, cloth),
-                                         cloth, scene.scene.start));
-    study.references.push_back(find_reference(scene, plan.quick ? 15 : 100));
+    const auto simulator = make_simulator({scene.steps.front() < 3 ? 2 : 5}, cloth);
+    study.h_crit.push_back(critical_step(*simulator, cloth, scene.scene.start));
   }
   return study;
 }
 
+void find_references(const Plan& plan, Study& study) {
+  for (const StudyScene& mesh : study.meshes) {
+    std::printf(
+        "reference%s: steps of order 4, RMS distance to half as many, order seen, growth of 1 nm\n",
+        study.meshes.size() > 1 ? format(", %d cells", cells_of(mesh)).c_str() : "");
+    const Reference reference = find_reference(mesh, plan.quick ? 15 : 100, [](const Reference& r) {
+      std::printf("  %9ld  %.1e of the size  %5.2f  %.3g-fold\n", r.steps, r.self_check, r.order,
+                  r.growth);
+      std::fflush(stdout);
+    });
+    const std::string refusal = reference.refusal();
+    if (refusal.empty())
+      std::printf("  errors from %.0e of the size on can be told\n", reference.floor());
+    else
+      std::printf("  no error is told: %s\n", refusal.c_str());
+    study.references.push_back(reference);
+  }
+}
+
 void run_trials(const Plan& plan, Study& study) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
   Record record(plan.out / "tradeoff.csv", fingerprint(plan, study));
   if (record.found() > 0)
-    std::printf("  %zu runs of an earlier study are kept: %s\n", record.found(),
+    std::printf("%zu runs of an earlier study are kept: %s\n", record.found(),
                 (plan.out / "tradeoff.csv").c_str());
-  const std::vector<Task> tasks = tasks_of(plan, study);
+  std::vector<Task> tasks = tasks_of(plan, study);
+  std::erase_if(tasks, [&](const Task& task) {
+    return record.find(cells_of(study.meshes[task.mesh]), task.trial) != nullptr;
+  });
   double total = 0, done = 0;
   for (const Task& task : tasks) total += task.seconds;
   Baseline baseline;
-  baseline.seconds();
+  for (int i = 0; i < 9; ++i) baseline.run();
   Progress progress{1000};
+  study.left_out = tasks.size();
   for (const Task& task : tasks) {
-    if (!record.find(cells_of(study.meshes[task.mesh]), task.trial)) {
-      const Score score = run_trial(study.meshes[task.mesh], study.references[task.mesh],
-                                    task.trial, patience_of(plan), baseline);
-      record.add(score, score.baselines * baseline.median_seconds());
-    }
+    if (std::chrono::duration<double>(Clock::now() - begin).count() > plan.seconds()) break;
+    const Score score = run_trial(study.meshes[task.mesh], study.references[task.mesh], task.trial,
+                                  patience_of(plan), baseline);
+    record.add(score, score.baselines * baseline.median_seconds());
+    --study.left_out;
     done += task.seconds;
     progress.show(long(1000 * done / total));
   }

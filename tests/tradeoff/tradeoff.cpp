@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <iostream>
 
-#include "scene/velocities.h"
+#include "program/option_checks.h"
+#include "scene/text_file.h"
 #include "tradeoff/report.h"
+#include "tradeoff/text.h"
 
 namespace {
 
@@ -18,27 +20,31 @@ struct Arguments {
 
 std::string scenes_for_help() {
   std::string text = "Built-in scenes:\n";
-  for (const BuiltIn& scene : built_in_scenes()) {
-    char line[160];
-    std::snprintf(line, sizeof line, "  %-15s %-5s %s\n", scene.name, scene.letter, scene.what);
-    text += line;
-  }
+  for (const BuiltIn& scene : built_in_scenes())
+    text += format("  %-15s %-5s %s\n", scene.name, scene.letter, scene.what);
+  return text + "Exit code 1: --budget or --seconds has no answer, or the study broke off.\n";
+}
+
+std::string number(double value) {
+  std::string text;
+  append_number(text, value);
   return text;
 }
 
 // As the user would type it again.
 std::string arguments_of(const Plan& plan, bool with_out) {
-  std::string text = plan.choice.scene;
-  if (plan.choice.k) text += " --k " + CLI::detail::to_string(*plan.choice.k);
+  std::string text =
+      is_built_in(plan.choice) ? short_name(plan.choice) : for_shell(plan.choice.scene);
+  if (plan.choice.k) text += " --k " + number(*plan.choice.k);
   if (plan.choice.cells) text += " --cells " + std::to_string(*plan.choice.cells);
   if (plan.quick) text += " --quick";
-  return with_out ? text + " --out " + plan.out.string() : text;
+  return with_out ? text + " --out " + for_shell(plan.out) : text;
 }
 
 // Each study has a directory of its own.
 std::filesystem::path own_directory(const Plan& plan) {
-  std::string name = std::filesystem::path(plan.choice.scene).stem();
-  if (plan.choice.k) name += "_k" + CLI::detail::to_string(*plan.choice.k);
+  std::string name = short_name(plan.choice);
+  if (plan.choice.k) name += "_k" + number(*plan.choice.k);
   if (plan.choice.cells) name += "_" + std::to_string(*plan.choice.cells);
   if (plan.quick) name += "_quick";
   return std::filesystem::path("out/tradeoff") / name;
@@ -52,24 +58,28 @@ void print_scene(const Study& study) {
   }
   for (const std::string& reason : study.meshes.front().not_tried)
     std::printf("  not tried: %s\n", reason.c_str());
-  print_references(study);
+  std::fflush(stdout);
 }
 
-// A run of a step's program, judged.
-int score_run(const Arguments& arguments, const Study& study) {
-  for (size_t i = 0; i < study.meshes.size(); ++i) {
-    const StudyScene& mesh = study.meshes[i];
-    const State state{
-        read_obj_vertices(*arguments.score / "final.obj"),
-        read_velocities(*arguments.score / "final_velocities.csv", mesh.scene.cloth.vertices())};
-    Score score;
-    judge(mesh, study.references[i], state, score);
-    if (const std::string refusal = study.references[i].refusal(); !refusal.empty())
-      std::printf("no error is told: %s\n", refusal.c_str());
-    else
-      std::printf("error %.6e of the size; energy %.3e, stretch %.3e\n", score.judged(),
-                  score.energy_error, score.stretch_error);
-  }
+// A run of a step's program, judged by its positions: whether its folds were wound beyond a half turn, and
+// so its energy, the files do not tell.
+int score_run(const Arguments& arguments, Study& study) {
+  if (study.meshes.size() > 1)
+    throw BadInput("--score: this scene has several meshes; name the one of the run with --cells");
+  const StudyScene& mesh = study.meshes.front();
+  const std::filesystem::path file = *arguments.score / "final.obj";
+  const VecX x = read_obj_vertices(file);
+  if (x.size() != mesh.scene.start.x.size())
+    throw BadInput(file.string() + ": has " + std::to_string(x.size() / 3) +
+                   " vertices, but the cloth has " + std::to_string(mesh.scene.cloth.vertices()) +
+                   "; it must be a run of this scene");
+  find_references(arguments.plan, study);
+  if (!study.can_judge()) return 1;
+  Score score;
+  Cloth cloth = mesh.scene.cloth;
+  judge(mesh, study.references.front(), cloth, {x, VecX::Zero(x.size())}, score);
+  std::printf("error %.6e of the size; largest stretch wrong by %.3e\n", score.judged(),
+              score.stretch_error);
   return 0;
 }
 
@@ -79,38 +89,44 @@ bool answer(const Study& study, const std::optional<Score>& best, const std::str
     std::printf("\n%s: none of the ways that were tried\n", question.c_str());
     return false;
   }
-  std::printf("\n%s: %s, h = %.3g s; error %.6e, %.3g s\n  %s\n  %s\n", question.c_str(),
-              name_of(best->trial.way).c_str(), best->h, best->judged(), study.seconds(*best),
-              command_of(study, *best).c_str(), scoring_command_of(study, *best).c_str());
+  std::printf("\n%s: %s, h = %.3g s; error %.6e, %.3g s of stepping\n  %s && \\\n  %s\n",
+              question.c_str(), name_of(best->trial.way).c_str(), best->h, best->judged(),
+              study.seconds(*best), command_of(study, *best).c_str(),
+              scoring_command_of(study, *best).c_str());
   return true;
+}
+
+// --budget and --seconds; false where one has no answer.
+bool answers(const Arguments& arguments, const Study& study) {
+  bool all = true;
+  if (arguments.budget)
+    all &= answer(study, cheapest(study.scores, *arguments.budget),
+                  format("The cheapest way to an error of %g", *arguments.budget));
+  if (arguments.seconds)
+    all &= answer(study, most_accurate(study.scores, *arguments.seconds / study.baseline_seconds),
+                  format("The most accurate way within %g s", *arguments.seconds));
+  return all;
 }
 
 int run(Arguments& arguments) {
   Plan& plan = arguments.plan;
-  const bool own_out = !plan.out.empty();
-  if (!own_out) plan.out = own_directory(plan);
+  const bool out_is_given = !plan.out.empty();
+  if (!out_is_given) plan.out = own_directory(plan);
   Study study = prepare(plan);
-  study.arguments = arguments_of(plan, own_out);
+  study.arguments = arguments_of(plan, out_is_given);
   print_scene(study);
   if (arguments.score) return score_run(arguments, study);
+  find_references(plan, study);
+  if ((arguments.budget || arguments.seconds) && !study.can_judge()) {
+    std::printf(
+        "so there is no answer to --budget or --seconds; without them, statistics are compared\n");
+    return 1;
+  }
   run_trials(plan, study);
   print_tables(study);
   draw_plot(study);
   std::printf("\n%s\n", advice(study).c_str());
-  char question[80];
-  bool answered = true;
-  if (arguments.budget) {
-    std::snprintf(question, sizeof question, "The cheapest way to an error of %g",
-                  *arguments.budget);
-    answered &= answer(study, cheapest(study.scores, *arguments.budget), question);
-  }
-  if (arguments.seconds) {
-    std::snprintf(question, sizeof question, "The most accurate way within %g s",
-                  *arguments.seconds);
-    answered &= answer(
-        study, most_accurate(study.scores, *arguments.seconds / study.baseline_seconds), question);
-  }
-  return answered ? 0 : 1;
+  return answers(arguments, study) ? 0 : 1;
 }
 
 }  // namespace
@@ -126,16 +142,16 @@ int main(int argc, char** argv) {
       ->option_text("DIR");
   app.add_flag("--quick", plan.quick, "fewer ways and steps, under a minute");
   app.add_option("--budget", arguments.budget, "name the cheapest way to this error")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number)
       ->option_text("ERROR");
   app.add_option("--seconds", arguments.seconds, "name the most accurate way within this time")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number)
       ->option_text("S");
   app.add_option("--k", plan.choice.k, "stiffness of a built-in scene, N/m")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number)
       ->option_text("K");
   app.add_option("--cells", plan.choice.cells, "along u")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_integer)
       ->option_text("N");
   app.add_option("--score", arguments.score, "judge this run of a step's program, and run nothing")
       ->check(CLI::ExistingDirectory)
@@ -143,8 +159,11 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return run(arguments);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    std::cerr << "tradeoff: " << one_line(error.what()) << " (--help lists the options)\n";
+    return 2;
   } catch (const BadInput& error) {
     std::cerr << "tradeoff: " << error.what() << "\n";
     return 2;

@@ -17,6 +17,16 @@ std::string power_of_ten(double value) {
   return text;
 }
 
+std::string describe(const Way& way, const std::string& tolerance) {
+  std::string name = std::string(program_of(way.step)).substr(0, 6);
+  const Method& m = way.method;
+  if (way.step == 3) name += " " + m.solver;
+  if (way.step > 3) name += " " + m.preconditioner + tolerance;
+  if (way.step > 2 && m.jacobian == Jacobian::bw98) name += " bw98";
+  if (way.step > 2 && m.newton > 1) name += " newton";
+  return name;
+}
+
 // The choices of the implicit steps, each multiplied with those so far.
 template <class Choices, class Set>
 void cross(std::vector<Way>& ways, const Choices& choices, const Set& set) {
@@ -55,13 +65,11 @@ std::vector<Way> implicit_ways(int step, bool few) {
 }  // namespace
 
 std::string name_of(const Way& way) {
-  std::string name = std::string(program_of(way.step)).substr(0, 6);
-  const Method& m = way.method;
-  if (way.step == 3) name += " " + m.solver;
-  if (way.step > 3) name += " " + m.preconditioner + " " + power_of_ten(m.tolerance);
-  if (way.step > 2 && m.jacobian == Jacobian::bw98) name += " bw98";
-  if (way.step > 2 && m.newton > 1) name += " newton";
-  return name;
+  return describe(way, way.step > 3 ? " " + power_of_ten(way.method.tolerance) : "");
+}
+
+std::string kind_of(const Way& way) {
+  return describe(way, "");
 }
 
 std::string options_of(const Way& way) {

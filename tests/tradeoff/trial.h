@@ -18,11 +18,14 @@ struct Trial {
 // What the trial has in common with others of another h: "step04 block 1e-4 bw98 newton".
 std::string name_of(const Way&);
 
+// The same without its tolerance: "step04 block bw98 newton".
+std::string kind_of(const Way&);
+
 // The options of the program that make it this way; the others are at their defaults.
 std::string options_of(const Way&);
 
 // Every way that the steps offer, in the order of the steps: solvers or preconditioners × tolerances ×
-// Jacobians × plain or Newton steps. `few`: a dozen of them.
+// Jacobians × plain or Newton steps. `few`: of solvers and tolerances the most telling.
 std::vector<Way> ways_of(const std::vector<int>& steps, bool few);
 
 // The numbers of steps to try. Explicit: around end/h_crit, where h = h_crit, and on to 1/32 of it.

@@ -7,9 +7,25 @@
 
 inline thread_local Counts* counting = nullptr;
 
+class CountInto {
+ public:
+  explicit CountInto(Counts& counts) : before(counting) { counting = &counts; }
+  ~CountInto() { counting = before; }
+  CountInto(const CountInto&) = delete;
+
+ private:
+  Counts* before;
+};
+
 struct CountedMatrix : BlockMatrix {
   CountedMatrix() = default;
   CountedMatrix(const BlockMatrix& A) : BlockMatrix(A) {}
+  CountedMatrix(const CountedMatrix&) = default;
+  CountedMatrix& operator=(const CountedMatrix& A) {
+    counting->bytes += 2 * A.stored();
+    BlockMatrix::operator=(A);
+    return *this;
+  }
 
   void set_zero() {
     counting->bytes += stored();

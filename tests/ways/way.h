@@ -23,9 +23,9 @@ struct Counts {
   long energies = 0;  // evaluations of the potential energy, by Newton's line search
   long assemblies = 0;  // systems A Δv = b set up
   long products = 0;    // of A, K or D and a vector
-  long bytes =
-      0;  // read and written, every array once in every pass over it: elements, vectors and
-          // matrices; not what goes on inside a preconditioner or a direct solver
+  // Read and written, every array once in every pass over it: elements, vectors and matrices. Not what goes
+  // on inside a preconditioner or a direct solver, nor the vectors of Newton's line search.
+  long bytes = 0;
 
   long iterations = 0;   // of conjugate gradients
   long indefinite = 0;   // systems that were not positive definite
