@@ -15,7 +15,9 @@
 
 #include "bench/gnuplot.h"
 #include "extremes/stability.h"
+#include "program/option_checks.h"
 #include "program/progress.h"
+#include "scene/bad_input.h"
 
 namespace {
 
@@ -290,36 +292,6 @@ set multiplot
 
 // Options ----------------------------------------------------------------------------------------
 
-const char* const usage = "stability_map [--quick] [--threads N] [--out DIRECTORY]";
-
-Study read_options(const std::vector<std::string>& arguments) {
-  Study study;
-  const auto value = [&](size_t i) {
-    if (i + 1 == arguments.size())
-      throw std::invalid_argument(arguments[i] + ": needs a value; " + usage);
-    return arguments[i + 1];
-  };
-  for (size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i] == "--quick") {
-      study.quick = true;
-    } else if (arguments[i] == "--out") {
-      study.out = value(i++);
-    } else if (arguments[i] == "--threads") {
-      const std::string text = value(i++);
-      if (text.empty() || text.size() > 2 || text.find_first_not_of("0123456789") != text.npos ||
-          text == "0" || text == "00")
-        throw std::invalid_argument("--threads " + text + ": must be a number from 1 to 99");
-      study.threads = unsigned(std::stoi(text));
-    } else {
-      throw std::invalid_argument(arguments[i] + ": unknown; " + usage);
-    }
-  }
-  std::error_code error;
-  std::filesystem::create_directories(study.out, error);
-  if (error) throw std::invalid_argument("--out " + study.out.string() + ": " + error.message());
-  return study;
-}
-
 void run(const Study& study) {
   const std::vector<Job> jobs = all_jobs(study);
   Rows rows = read_rows(study);
@@ -334,13 +306,33 @@ void run(const Study& study) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  run(read_options({argv + 1, argv + argc}));
-  return 0;
-} catch (const std::invalid_argument& error) {
-  std::fprintf(stderr, "%s\n", error.what());
-  return 2;
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "%s\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  Study study;
+  CLI::App app("What becomes of a cloth at every time step and every stiffness, in every step");
+  app.add_flag("--quick", study.quick, "fewer cells, half a minute");
+  app.add_option("--threads", study.threads, "2 if absent")
+      ->check(positive_integer)
+      ->option_text("N");
+  app.add_option("--out", study.out, "where map and picture go; out/stability_map if absent")
+      ->option_text("DIR");
+  try {
+    app.parse(argc, argv);
+    std::error_code error;
+    std::filesystem::create_directories(study.out, error);
+    if (error) throw BadInput("--out " + study.out.string() + ": " + error.message());
+    run(study);
+    return 0;
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "stability_map: %s (--help lists the options)\n",
+                 one_line(error.what()).c_str());
+    return 2;
+  } catch (const BadInput& error) {
+    std::fprintf(stderr, "stability_map: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "stability_map: %s\n", error.what());
+    return 1;
+  }
 }
