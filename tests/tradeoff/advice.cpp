@@ -1,7 +1,6 @@
 // What to take, in a sentence; and the commands that do it.
 #include <algorithm>
 
-#include "scene/text_file.h"
 #include "tradeoff/report.h"
 #include "tradeoff/text.h"
 
@@ -61,12 +60,6 @@ std::string which(const Study& study, const std::vector<Score>& front) {
       "%s: %s where an error of %.1e will do, %s down to %.1e",
       choice ? "Take implicit steps for every error" : "No explicit step can simulate this scene",
       way_of(cheap).c_str(), cheap.judged(), way_of(best).c_str(), best.judged());
-}
-
-std::string number(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
 }
 
 }  // namespace

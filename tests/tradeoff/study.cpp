@@ -104,11 +104,12 @@ Study prepare(const Plan& plan) {
 }
 
 void find_references(const Plan& plan, Study& study) {
+  const double patience = plan.reference_seconds() / double(study.meshes.size());
   for (const StudyScene& mesh : study.meshes) {
     std::printf(
         "reference%s: steps of order 4, RMS distance to half as many, order seen, growth of 1 nm\n",
         study.meshes.size() > 1 ? format(", %d cells", cells_of(mesh)).c_str() : "");
-    const Reference reference = find_reference(mesh, plan.quick ? 15 : 100, [](const Reference& r) {
+    const Reference reference = find_reference(mesh, patience, [](const Reference& r) {
       std::printf("  %9ld  %.1e of the size  %5.2f  %.3g-fold\n", r.steps, r.self_check, r.order,
                   r.growth);
       std::fflush(stdout);
@@ -140,7 +141,7 @@ void run_trials(const Plan& plan, Study& study) {
   Progress progress{1000};
   study.left_out = tasks.size();
   for (const Task& task : tasks) {
-    if (std::chrono::duration<double>(Clock::now() - begin).count() > plan.seconds()) break;
+    if (std::chrono::duration<double>(Clock::now() - begin).count() > plan.trial_seconds()) break;
     const Score score = run_trial(study.meshes[task.mesh], study.references[task.mesh], task.trial,
                                   patience_of(plan), baseline);
     record.add(score, score.baselines * baseline.median_seconds());

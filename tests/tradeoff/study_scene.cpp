@@ -5,6 +5,7 @@
 #include "physics/scenes.h"
 #include "scene/text_file.h"
 #include "scene/velocities.h"
+#include "tradeoff/text.h"
 #include "ways/way.h"
 
 namespace tradeoff {
@@ -85,12 +86,6 @@ const Recipe* recipe_of(const std::string& name) {
   for (const Recipe& recipe : recipes())
     if (name == recipe.described.name || name == recipe.described.letter) return &recipe;
   return nullptr;
-}
-
-std::string number(double value) {
-  std::string text;
-  append_number(text, value);
-  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
 // The largest u and v of a grid.

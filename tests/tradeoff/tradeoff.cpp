@@ -25,12 +25,6 @@ std::string scenes_for_help() {
   return text + "Exit code 1: --budget or --seconds has no answer, or the study broke off.\n";
 }
 
-std::string number(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
-}
-
 // As the user would type it again.
 std::string arguments_of(const Plan& plan, bool with_out) {
   std::string text =
