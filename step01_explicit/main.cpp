@@ -1,9 +1,9 @@
 // Step 1, explicit: a cloth of threads that stretch and shear, moved on by symplectic Euler.
 //
 // Read time_step.h first: everything that this step teaches stands there.
-#include "program/explain.h"
+#include "explain/explain.h"
+#include "math/stable_step.h"
 #include "program/run.h"
-#include "program/stable_step.h"
 #include "time_step.h"
 
 int simulate(const Options& options) {

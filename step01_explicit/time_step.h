@@ -3,7 +3,7 @@
 //   M dv/dt = f(x),  dx/dt = v      the equation of motion
 //   v += h M⁻¹ f,    x += h v       symplectic Euler: the new v moves x
 #pragma once
-#include "scene/cloth.h"
+#include "math/cloth.h"
 
 namespace step01 {
 

@@ -1,7 +1,7 @@
 // Step 3, implicit: a linear system in every step, and steps a hundred times larger.
 //
 // Read time_step.h first: everything that this step teaches stands there.
-#include "program/explain.h"
+#include "explain/explain.h"
 #include "program/run.h"
 #include "time_step.h"
 

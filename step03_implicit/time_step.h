@@ -5,9 +5,9 @@
 //   v += Δv,         x += h v       backward Euler, linearised once
 #pragma once
 #include "math/direct_solver.h"
-#include "program/method.h"
-#include "scene/energy.h"
-#include "scene/pattern.h"
+#include "math/energy.h"
+#include "math/method.h"
+#include "math/pattern.h"
 
 namespace step03 {
 

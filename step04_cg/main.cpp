@@ -1,7 +1,7 @@
 // Step 4, conjugate gradients: the linear system without a factorisation.
 //
 // Read time_step.h first: everything that this step teaches stands there.
-#include "program/explain.h"
+#include "explain/explain.h"
 #include "program/run.h"
 #include "time_step.h"
 

@@ -4,10 +4,10 @@
 //   (M − h D − h² K) Δv = h (f + h K v),   K = ∂f/∂x,  D = ∂f/∂v
 //   v += Δv,         x += h v       backward Euler, linearised once
 #pragma once
+#include "math/energy.h"
+#include "math/method.h"
+#include "math/pattern.h"
 #include "math/preconditioner.h"
-#include "program/method.h"
-#include "scene/energy.h"
-#include "scene/pattern.h"
 
 namespace step05 {
 

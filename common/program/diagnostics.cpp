@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/energy.h"
+#include "math/energy.h"
 #include "scene/make_cloth.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/cloth.h"
+#include "math/cloth.h"
 #include "scene/mesh.h"
 
 using TermEnergies = std::vector<std::pair<const char*, double>>;  // J, in the order of the terms

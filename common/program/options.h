@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "program/method.h"
+#include "math/method.h"
 #include "scene/scene.h"
 
 // What a step has the concept of; each brings its options.

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/bad_input.h"
-#include "scene/text_file.h"
+#include "text/bad_input.h"
+#include "text/text_file.h"
 
 namespace {
 

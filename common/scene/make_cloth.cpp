@@ -1,6 +1,6 @@
 #include "scene/make_cloth.h"
 
-#include "scene/hinges.h"
+#include "scene/mesh_edges.h"
 
 Triangle make_triangle(const Mesh& mesh, size_t face) {
   const auto& [uv0, uv1, uv2] = mesh.rest[face];

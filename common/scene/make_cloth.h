@@ -1,6 +1,6 @@
 // From geometry to physics: masses, pins and the elements that a scene needs.
 #pragma once
-#include "scene/cloth.h"
+#include "math/cloth.h"
 #include "scene/mesh.h"
 
 // What a scene names. An absent term costs nothing: no element, no array, no arithmetic.

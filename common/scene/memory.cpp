@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/cloth.h"
+#include "math/cloth.h"
 #include "scene/mesh.h"
 
 namespace {

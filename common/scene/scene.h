@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "scene/bad_input.h"
-#include "scene/cloth.h"
+#include "math/cloth.h"
 #include "scene/mesh.h"
+#include "text/bad_input.h"
 
 struct Time {
   double h = 0;    // s

@@ -6,8 +6,8 @@
 #include <limits>
 #include <sstream>
 
-#include "scene/bad_input.h"
-#include "scene/text_file.h"
+#include "text/bad_input.h"
+#include "text/text_file.h"
 
 namespace {
 

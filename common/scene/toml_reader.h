@@ -8,7 +8,7 @@
 #include <string>
 
 #include "math/types.h"
-#include "scene/names.h"
+#include "text/names.h"
 
 enum class Range { any, not_negative, positive };
 

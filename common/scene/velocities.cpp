@@ -1,7 +1,7 @@
 #include "scene/velocities.h"
 
-#include "scene/bad_input.h"
-#include "scene/text_file.h"
+#include "text/bad_input.h"
+#include "text/text_file.h"
 
 namespace {
 

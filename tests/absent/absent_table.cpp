@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "absent/without.h"
-#include "bench/cpu_time.h"
+#include "support/cpu_time.h"
 
 namespace {
 

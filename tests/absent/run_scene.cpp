@@ -13,9 +13,9 @@
 #include <string>
 
 #include "absent/counted.h"
-#include "bench/cpu_time.h"
 #include "scene/make_cloth.cpp"  // a part of this program, so that terms are cut from it, too
 #include "step05_bend/time_step.h"
+#include "support/cpu_time.h"
 #ifdef LARGE_STEPS_2_AND_3
 #include "step02_damping/time_step.h"
 #include "step03_implicit/time_step.h"

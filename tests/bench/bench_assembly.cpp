@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <Eigen/SparseCholesky>
 
-#include "cpu_time.h"
-#include "math/poses.h"
 #include "scene/make_cloth.h"
 #include "step03_implicit/time_step.h"
+#include "support/cpu_time.h"
+#include "support/poses.h"
 #include "usual_way.h"
 
 namespace {

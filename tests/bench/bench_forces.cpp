@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "cpu_time.h"
+#include "support/cpu_time.h"
 #include "three_ways.h"
 
 namespace {

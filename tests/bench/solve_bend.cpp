@@ -4,12 +4,12 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include "bench_solve.h"
-#include "cpu_time.h"
 #include "math/direct_solver.h"
 #include "scene/make_cloth.h"
 #include "solve_cases.h"
 #include "step04_cg/time_step.h"
 #include "step05_bend/time_step.h"
+#include "support/cpu_time.h"
 #include "usual_way.h"
 
 namespace {

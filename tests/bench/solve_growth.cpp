@@ -3,11 +3,11 @@
 #include <map>
 
 #include "bench_solve.h"
-#include "cpu_time.h"
-#include "gnuplot.h"
 #include "math/multigrid.h"
 #include "solve_cases.h"
 #include "step03_implicit/time_step.h"
+#include "support/cpu_time.h"
+#include "support/gnuplot.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // One product with A: our blocks, the table of a grid, and Eigen's sparse matrices.
+#include "bench/grid_matrix.h"
 #include "bench_solve.h"
-#include "cpu_time.h"
-#include "math/grid_matrix.h"
-#include "math/poses.h"
 #include "solve_cases.h"
+#include "support/cpu_time.h"
+#include "support/poses.h"
 
 namespace {
 

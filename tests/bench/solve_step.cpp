@@ -3,9 +3,9 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include "bench_solve.h"
-#include "cpu_time.h"
 #include "solve_cases.h"
 #include "step03_implicit/time_step.h"
+#include "support/cpu_time.h"
 #include "usual_way.h"
 
 namespace {

@@ -3,10 +3,10 @@
 #pragma once
 #include <vector>
 
-#include "math/autodiff_energy.h"
-#include "math/poses.h"
 #include "scene/make_cloth.h"
 #include "step01_explicit/time_step.h"
+#include "support/autodiff_energy.h"
+#include "support/poses.h"
 
 inline constexpr double k_stretch = 1000, k_shear = 500;
 

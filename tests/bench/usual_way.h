@@ -3,7 +3,7 @@
 #pragma once
 #include <Eigen/SparseCore>
 
-#include "scene/cloth.h"
+#include "math/cloth.h"
 
 using Sparse = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;

@@ -1,7 +1,7 @@
 // The default settings, from states that no cloth was ever in. What they hold of energy at the start,
 // up to 1e11 J, is thrown out in the first steps, often with more than there was: a single Newton step
 // overshoots. But the next steps, however long, bring the cloth back.
-#include "extremes/table.h"
+#include "support/table.h"
 #include "ways/way.h"
 
 namespace extremes {

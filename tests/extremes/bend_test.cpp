@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "extremes/outcome.h"
-#include "scene/hinges.h"
+#include "scene/mesh_edges.h"
 #include "step05_bend/time_step.h"
+#include "support/outcome.h"
 
 namespace extremes {
 namespace {

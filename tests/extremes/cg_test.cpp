@@ -3,8 +3,8 @@
 // measure what is left by the kinetic energy of Δv.
 #include <gtest/gtest.h>
 
-#include "extremes/outcome.h"
 #include "step04_cg/time_step.h"
+#include "support/outcome.h"
 
 namespace extremes {
 namespace {

@@ -1,5 +1,5 @@
 // The default settings, from the horizontal, at every time step and stiffness.
-#include "extremes/table.h"
+#include "support/table.h"
 #include "ways/way.h"
 
 namespace extremes {

@@ -1,9 +1,9 @@
 // The matrices that were not chosen, and how they fail.
 #include <gtest/gtest.h>
 
-#include "extremes/outcome.h"
-#include "math/decompositions.h"
 #include "step03_implicit/time_step.h"
+#include "support/decompositions.h"
+#include "support/outcome.h"
 
 namespace extremes {
 namespace {

@@ -2,7 +2,7 @@
 // that of gravity included, falls in each single step, to rounding.
 #include <gtest/gtest.h>
 
-#include "extremes/outcome.h"
+#include "support/outcome.h"
 
 namespace extremes {
 namespace {

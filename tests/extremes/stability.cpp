@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "extremes/extreme_scenes.h"
 #include "program/diagnostics.h"
-#include "scene/hinges.h"
+#include "scene/mesh_edges.h"
+#include "support/extreme_scenes.h"
 
 namespace extremes {
 namespace {

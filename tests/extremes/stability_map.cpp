@@ -13,11 +13,11 @@
 #include <stdexcept>
 #include <thread>
 
-#include "bench/gnuplot.h"
 #include "extremes/stability.h"
 #include "program/option_checks.h"
 #include "program/progress.h"
-#include "scene/bad_input.h"
+#include "support/gnuplot.h"
+#include "text/bad_input.h"
 
 namespace {
 

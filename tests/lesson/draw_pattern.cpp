@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "math/pattern.h"
 #include "picture/png.h"
 #include "scene/make_cloth.h"
-#include "scene/pattern.h"
 
 namespace {
 

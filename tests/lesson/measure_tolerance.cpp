@@ -7,12 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "bench/cpu_time.h"
-#include "bench/gnuplot.h"
 #include "math/direct_solver.h"
 #include "scene/scene.h"
 #include "step03_implicit/time_step.h"
 #include "step04_cg/time_step.h"
+#include "support/cpu_time.h"
+#include "support/gnuplot.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // A time step allocates nothing.
-#include "count_allocations.h"  // before Eigen
+#include "support/count_allocations.h"  // before Eigen
 
 #include "step01_explicit/time_step.h"
 

@@ -1,9 +1,9 @@
 // Our forces against an oracle that shares no formula with them.
 #include <gtest/gtest.h>
 
-#include "autodiff_energy.h"
-#include "energy.h"
-#include "poses.h"
+#include "support/autodiff_energy.h"
+#include "support/energy.h"
+#include "support/poses.h"
 
 namespace {
 

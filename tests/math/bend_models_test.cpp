@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <map>
 
-#include "dense.h"
-#include "differences.h"
-#include "folds.h"
 #include "math/quadratic_bend.h"
-#include "scene/hinges.h"
+#include "scene/mesh_edges.h"
 #include "step03_implicit/time_step.h"
+#include "support/dense.h"
+#include "support/differences.h"
+#include "support/folds.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 // B κ²/2 per area.
 #include <gtest/gtest.h>
 
-#include "energy.h"
-#include "scene/hinges.h"
+#include "scene/mesh_edges.h"
+#include "support/energy.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // A step of conjugate gradients allocates nothing after the first, whatever the preconditioner.
-#include "count_allocations.h"  // before Eigen
+#include "support/count_allocations.h"  // before Eigen
 
 // Not only linked: Eigen counts in what is compiled here.
 #include "math/incomplete_cholesky.cpp"

@@ -1,7 +1,7 @@
 // Modified conjugate gradients: A Δv = b where pins hold a vertex in three, two or one direction.
 #include <gtest/gtest.h>
 
-#include "pinned.h"
+#include "support/pinned.h"
 #include "ways/way.h"
 
 namespace {

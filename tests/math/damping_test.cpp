@@ -1,10 +1,10 @@
 // Step 2's damping, d = −kd Ċ ∂C/∂x: it resists the change of the conditions and nothing else.
 #include <gtest/gtest.h>
 
-#include "dense.h"
-#include "differences.h"
 #include "step01_explicit/time_step.h"
 #include "step02_damping/time_step.h"
+#include "support/dense.h"
+#include "support/differences.h"
 
 namespace {
 

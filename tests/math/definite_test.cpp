@@ -2,7 +2,7 @@
 // an element adds to A is positive semidefinite, and a sum of such, plus M, is positive definite.
 #include <gtest/gtest.h>
 
-#include "dense.h"
+#include "support/dense.h"
 
 namespace {
 

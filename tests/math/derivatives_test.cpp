@@ -1,8 +1,8 @@
 // Conditions: the gradient is the slope of C, the second derivative the slope of the gradient, and
 // the force is the falling slope of the energy.
-#include "differences.h"
-#include "energy.h"
-#include "poses.h"
+#include "support/differences.h"
+#include "support/energy.h"
+#include "support/poses.h"
 
 namespace {
 

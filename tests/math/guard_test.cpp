@@ -2,8 +2,8 @@
 // nothing may change where the thread has a length.
 #include <gtest/gtest.h>
 
-#include "energy.h"
-#include "poses.h"
+#include "support/energy.h"
+#include "support/poses.h"
 
 namespace {
 

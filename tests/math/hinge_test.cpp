@@ -1,8 +1,8 @@
 // The ten steps to the second derivative of the angle of a hinge, each by itself: the first five
 // against their geometry, the others against differences of what they differentiate. A mistake in one
 // step fails the test of that step first.
-#include "differences.h"
-#include "folds.h"
+#include "support/differences.h"
+#include "support/folds.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "poses.h"
-#include "scene/bad_input.h"
-#include "scene/hinges.h"
+#include "scene/mesh_edges.h"
+#include "support/poses.h"
+#include "text/bad_input.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
-#include "energy.h"
-#include "poses.h"
+#include "support/energy.h"
+#include "support/poses.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 
 #include <map>
 
-#include "energy.h"
-#include "poses.h"
 #include "scene/make_cloth.h"
+#include "support/energy.h"
+#include "support/poses.h"
 
 namespace {
 

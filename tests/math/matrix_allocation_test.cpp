@@ -1,6 +1,6 @@
 // The assembly of K, D and A allocates nothing: pattern and slots were found before the first step.
 // (The factorisation that follows is the library's own.)
-#include "count_allocations.h"  // before Eigen
+#include "support/count_allocations.h"  // before Eigen
 
 #include "scene/make_cloth.h"
 #include "step03_implicit/time_step.h"

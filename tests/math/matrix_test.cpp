@@ -2,9 +2,9 @@
 // sums written out in full.
 #include <gtest/gtest.h>
 
-#include "dense.h"
-#include "differences.h"
 #include "step03_implicit/time_step.h"
+#include "support/dense.h"
+#include "support/differences.h"
 
 namespace {
 

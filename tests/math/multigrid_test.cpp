@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pinned.h"
+#include "support/pinned.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // --newton N: one step as the minimum of Φ(v) = ½ |v − v0|²_M + E(x0 + h v) − h/2 vᵀ D v.
 #include <gtest/gtest.h>
 
-#include "dense.h"
 #include "step03_implicit/time_step.h"
+#include "support/dense.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // Textbook conjugate gradients: what is proved of them, and why a pinned cloth needs more.
-#include "plain_cg.h"
+#include "support/plain_cg.h"
 
 #include <gtest/gtest.h>
 
-#include "pinned.h"
+#include "support/pinned.h"
 
 namespace {
 

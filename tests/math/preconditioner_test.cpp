@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "math/incomplete_cholesky.h"
-#include "pinned.h"
+#include "support/pinned.h"
 
 namespace {
 

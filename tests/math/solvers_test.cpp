@@ -1,8 +1,8 @@
 // A Δv = b: three direct solvers, one answer.
 #include <gtest/gtest.h>
 
-#include "dense.h"
 #include "step03_implicit/time_step.h"
+#include "support/dense.h"
 
 namespace {
 

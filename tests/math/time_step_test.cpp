@@ -1,9 +1,9 @@
 // Step 1's symplectic Euler, against what is known exactly about it.
 #include <gtest/gtest.h>
 
-#include "energy.h"
-#include "poses.h"
 #include "scene/make_cloth.h"
+#include "support/energy.h"
+#include "support/poses.h"
 
 namespace {
 

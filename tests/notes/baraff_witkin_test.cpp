@@ -5,8 +5,8 @@
 // its C is ours / √½ and its forces are ours with twice the k.
 #include <gtest/gtest.h>
 
-#include "math/energy.h"
 #include "scene/make_cloth.h"
+#include "support/energy.h"
 
 namespace {
 

@@ -2,12 +2,12 @@
 // hinge that is wound up beyond a full fold.
 #include <gtest/gtest.h>
 
-#include "math/family_forces.h"
-#include "math/poses.h"
-#include "momenta.h"
-#include "reference.h"
-#include "scene/energy.h"
+#include "math/energy.h"
 #include "step05_bend/time_step.h"
+#include "support/family_forces.h"
+#include "support/momenta.h"
+#include "support/poses.h"
+#include "support/reference.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cantilever.h"
-#include "math/decompositions.h"
+#include "support/decompositions.h"
 
 namespace {
 

@@ -6,10 +6,10 @@
 // A hinge bends the half cells on both sides of its row. So the second row, though held, stands for the
 // half cell before it that bends, too: the clamp is there, and h = L/(N + 1/2).
 #pragma once
-#include "elastica.h"
-#include "math/poses.h"
-#include "scenes.h"
-#include "statics.h"
+#include "support/elastica.h"
+#include "support/poses.h"
+#include "support/scenes.h"
+#include "support/statics.h"
 
 // Locked rows stay straight and level: two unknowns each, and the strip is a thread with hinges. Free, a
 // cloth may warp across as well.

@@ -1,7 +1,7 @@
 // cantilever_points [DIRECTORY]: how far a strip of cloth droops under its own weight, beside the elastica.
 // Prints the numbers and writes cantilever.csv, .gp and, where gnuplot is installed, .png there.
-#include "bench/gnuplot.h"
 #include "cantilever.h"
+#include "support/gnuplot.h"
 
 namespace {
 

@@ -3,9 +3,9 @@
 // its step far better than the errors that it judges.
 #include <gtest/gtest.h>
 
-#include "reference.h"
-#include "scenes.h"
 #include "step01_explicit/time_step.h"
+#include "support/reference.h"
+#include "support/scenes.h"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // Symplectic Euler survives h < 2/ω_max. critical_step finds that h by power iteration; here it is
 // compared with known values, with all frequencies of the cloth, and with what a run does.
-#include "program/stable_step.h"
+#include "math/stable_step.h"
 
 #include <gtest/gtest.h>
 
-#include "modes.h"
-#include "reference.h"
-#include "scenes.h"
 #include "step01_explicit/time_step.h"
+#include "support/modes.h"
+#include "support/reference.h"
+#include "support/scenes.h"
 
 namespace {
 

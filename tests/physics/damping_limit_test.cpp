@@ -6,10 +6,10 @@
 // in each; the highest ω is the first to break it.
 #include <gtest/gtest.h>
 
-#include "modes.h"
-#include "program/stable_step.h"
-#include "scenes.h"
+#include "math/stable_step.h"
 #include "step02_damping/time_step.h"
+#include "support/modes.h"
+#include "support/scenes.h"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // What damping takes from a moving cloth, and what it leaves.
 #include <gtest/gtest.h>
 
-#include "math/poses.h"
-#include "momenta.h"
+#include "math/stable_step.h"
 #include "program/diagnostics.h"
-#include "program/stable_step.h"
-#include "reference.h"
 #include "step01_explicit/time_step.h"
 #include "step02_damping/time_step.h"
+#include "support/momenta.h"
+#include "support/poses.h"
+#include "support/reference.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // A cloth that nothing holds: it falls as a stone does, and what it keeps while it spins.
 #include <gtest/gtest.h>
 
-#include "momenta.h"
-#include "reference.h"
 #include "step01_explicit/time_step.h"
+#include "support/momenta.h"
+#include "support/reference.h"
 
 namespace {
 

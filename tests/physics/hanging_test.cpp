@@ -4,9 +4,9 @@
 //   ρ g (L − s) = k (λ(s) − 1)       so the strip is longer by ρ g L²/(2k)
 #include <gtest/gtest.h>
 
-#include "modes.h"
-#include "scenes.h"
 #include "step01_explicit/time_step.h"
+#include "support/modes.h"
+#include "support/scenes.h"
 
 namespace {
 

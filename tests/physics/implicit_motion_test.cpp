@@ -1,12 +1,12 @@
 // Backward Euler as step 3 takes it: what it keeps, what it loses, and how fast the loss falls with h.
 #include <gtest/gtest.h>
 
-#include "momenta.h"
 #include "program/diagnostics.h"
-#include "reference.h"
 #include "step01_explicit/time_step.h"
 #include "step02_damping/time_step.h"
 #include "step03_implicit/time_step.h"
+#include "support/momenta.h"
+#include "support/reference.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 
 #include "cantilever.h"
-#include "scene/hinges.h"
+#include "scene/mesh_edges.h"
 
 namespace {
 

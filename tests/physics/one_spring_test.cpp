@@ -5,10 +5,10 @@
 // so that it turns by the angle 2 asin(h ω/2) in each step, for ever, and keeps an energy of its own.
 #include <gtest/gtest.h>
 
-#include "program/stable_step.h"
-#include "reference.h"
-#include "scenes.h"
+#include "math/stable_step.h"
 #include "step01_explicit/time_step.h"
+#include "support/reference.h"
+#include "support/scenes.h"
 
 namespace {
 

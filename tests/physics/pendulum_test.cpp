@@ -8,9 +8,9 @@
 // stable h has h ω < 2: so g/(l ω²) is always the larger.
 #include <gtest/gtest.h>
 
-#include "reference.h"
-#include "scenes.h"
 #include "step01_explicit/time_step.h"
+#include "support/reference.h"
+#include "support/scenes.h"
 
 namespace {
 

@@ -2,11 +2,11 @@
 // given in m g L, the energy that the cloth would gain by falling its own length.
 #include <gtest/gtest.h>
 
+#include "math/stable_step.h"
 #include "program/diagnostics.h"
-#include "program/stable_step.h"
-#include "reference.h"
-#include "scenes.h"
 #include "step01_explicit/time_step.h"
+#include "support/reference.h"
+#include "support/scenes.h"
 
 namespace {
 

@@ -18,8 +18,8 @@
 #include <gtest/gtest.h>
 
 #include "program/diagnostics.h"
-#include "scenes.h"
 #include "step01_explicit/time_step.h"
+#include "support/scenes.h"
 
 namespace {
 

@@ -9,9 +9,9 @@
 // that, by the number of triangles that meet there.
 #include <gtest/gtest.h>
 
-#include "modes.h"
-#include "scenes.h"
 #include "step01_explicit/time_step.h"
+#include "support/modes.h"
+#include "support/scenes.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Scenes with [bend]: which elements each model makes, with which k, and at which angles they rest.
 #include <numbers>
 
-#include "steps/scene_files.h"
+#include "support/scene_files.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 
 #include "scene/make_cloth.h"
 #include "scene/memory.h"
-#include "scene/text_file.h"
 #include "scene/velocities.h"
-#include "steps/scene_files.h"
+#include "support/scene_files.h"
+#include "text/text_file.h"
 
 using MeshTest = SceneFiles;
 

@@ -1,6 +1,6 @@
 // What bending brings to a program: four models, and a curtain whose rings are vertices by number.
 #include "scene/mesh.h"
-#include "steps/program_runner.h"
+#include "support/program_runner.h"
 
 namespace {
 

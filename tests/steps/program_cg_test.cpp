@@ -2,10 +2,10 @@
 // they end too early, and pins with directions.
 #include <cmath>
 
-#include "program/method.h"
+#include "math/method.h"
 #include "scene/mesh.h"
 #include "scene/velocities.h"
-#include "steps/program_runner.h"
+#include "support/program_runner.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "math/triangle.h"
 #include "scene/mesh.h"
-#include "steps/program_runner.h"
+#include "support/program_runner.h"
 
 namespace {
 

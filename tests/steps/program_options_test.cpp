@@ -4,7 +4,7 @@
 
 #include "picture/png.h"
 #include "scene/mesh.h"
-#include "steps/program_runner.h"
+#include "support/program_runner.h"
 
 namespace {
 

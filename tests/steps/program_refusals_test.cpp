@@ -2,7 +2,7 @@
 // is written.
 #include <algorithm>
 
-#include "steps/program_runner.h"
+#include "support/program_runner.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include "scene/mesh.h"
 #include "scene/velocities.h"
-#include "steps/program_runner.h"
+#include "support/program_runner.h"
 
 namespace {
 

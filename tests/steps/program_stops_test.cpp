@@ -6,7 +6,7 @@
 #include "picture/png.h"
 #include "scene/mesh.h"
 #include "scene/velocities.h"
-#include "steps/program_runner.h"
+#include "support/program_runner.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <regex>
 #include <sstream>
 
-#include "steps/program_runner.h"
+#include "support/program_runner.h"
 
 namespace {
 

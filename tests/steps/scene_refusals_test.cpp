@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "steps/scene_files.h"
+#include "support/scene_files.h"
 
 using SceneRefusals = SceneFiles;
 

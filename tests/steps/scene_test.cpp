@@ -1,6 +1,6 @@
 // What a scene means: its defaults, its tables, how the cloth starts, and what the command line changes.
 #include "scene/velocities.h"
-#include "steps/scene_files.h"
+#include "support/scene_files.h"
 
 using SceneTest = SceneFiles;
 

@@ -1,8 +1,8 @@
 // What to take, in a sentence; and the commands that do it.
 #include <algorithm>
 
+#include "support/text.h"
 #include "tradeoff/report.h"
-#include "tradeoff/text.h"
 
 namespace tradeoff {
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/gnuplot.h"
+#include "support/gnuplot.h"
+#include "support/text.h"
 #include "tradeoff/report.h"
-#include "tradeoff/text.h"
 
 namespace tradeoff {
 

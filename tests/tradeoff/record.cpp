@@ -7,7 +7,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "scene/text_file.h"
+#include "text/text_file.h"
 
 namespace tradeoff {
 

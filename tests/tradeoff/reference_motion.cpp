@@ -1,9 +1,9 @@
 #include "tradeoff/reference_motion.h"
 
-#include "bench/cpu_time.h"
-#include "physics/reference.h"
 #include "program/diagnostics.h"
-#include "tradeoff/text.h"
+#include "support/cpu_time.h"
+#include "support/reference.h"
+#include "support/text.h"
 #include "ways/way.h"
 
 namespace tradeoff {

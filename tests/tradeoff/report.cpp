@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "tradeoff/text.h"
+#include "support/text.h"
 
 namespace tradeoff {
 

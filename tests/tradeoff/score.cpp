@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "bench/cpu_time.h"
-#include "physics/reference.h"
-#include "physics/scenes.h"
 #include "program/diagnostics.h"
+#include "support/cpu_time.h"
+#include "support/reference.h"
+#include "support/scenes.h"
 
 namespace tradeoff {
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "program/progress.h"
-#include "scene/text_file.h"
-#include "tradeoff/text.h"
+#include "support/text.h"
+#include "text/text_file.h"
 
 namespace tradeoff {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "physics/scenes.h"
-#include "scene/text_file.h"
 #include "scene/velocities.h"
-#include "tradeoff/text.h"
+#include "support/scenes.h"
+#include "support/text.h"
+#include "text/text_file.h"
 #include "ways/way.h"
 
 namespace tradeoff {

@@ -4,9 +4,9 @@
 #include <iostream>
 
 #include "program/option_checks.h"
-#include "scene/text_file.h"
+#include "support/text.h"
+#include "text/text_file.h"
 #include "tradeoff/report.h"
-#include "tradeoff/text.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "scene/text_file.h"
+#include "text/text_file.h"
 #include "tradeoff/report.h"
 
 namespace tradeoff {

@@ -1,8 +1,8 @@
 // The matrix and the energy of the steps, with a counter at every door. `counting` is where this thread
 // counts.
 #pragma once
-#include "scene/energy.h"
-#include "scene/pattern.h"
+#include "math/energy.h"
+#include "math/pattern.h"
 #include "ways/way.h"
 
 inline thread_local Counts* counting = nullptr;

@@ -4,8 +4,8 @@
 #include <array>
 #include <memory>
 
-#include "program/method.h"
-#include "scene/cloth.h"
+#include "math/cloth.h"
+#include "math/method.h"
 
 struct Way {
   int step = 1;        // 1 … 5
@@ -46,5 +46,5 @@ class Simulator {
 // simulator. Throws std::invalid_argument for a solver or a preconditioner that this cloth cannot have.
 std::unique_ptr<Simulator> make_simulator(const Way&, Cloth&);
 
-// The longest stable step of symplectic Euler about this state, s: program/stable_step.h.
+// The longest stable step of symplectic Euler about this state, s: math/stable_step.h.
 double critical_step(Simulator&, const Cloth&, const State&);

@@ -5,7 +5,7 @@
 
 #include "math/direct_solver.h"
 #include "math/preconditioner.h"
-#include "program/stable_step.h"
+#include "math/stable_step.h"
 #include "ways/counted.h"
 
 // The steps as they stand, but with matrices and energies that count, under names of their own.

@@ -1,9 +1,9 @@
 // The steps behind the interface are the steps, and what is counted is what they do.
 #include <gtest/gtest.h>
 
-#include "physics/scenes.h"
 #include "step02_damping/time_step.h"
 #include "step05_bend/time_step.h"
+#include "support/scenes.h"
 #include "ways/way.h"
 
 namespace {

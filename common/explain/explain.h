@@ -1,0 +1,85 @@
+// --explain: what a scene contains, what a step costs, what sets h, how large the error is and what could
+// be left out. All of it is measured on the step's own functions, and said on one page.
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "math/pattern.h"
+#include "program/run.h"
+
+// What a step's System holds, in bytes.
+struct Held {
+  size_t vectors = 0;
+  size_t matrices = 0;  // blocks and their pattern; a preconditioner or a factor is not counted
+  size_t slots = 0;     // where the elements lie in the matrices
+};
+
+// A step on one cloth, without its types: what --explain runs, and runs again without a term.
+struct Simulation {
+  std::function<void(double h, State&)> step;
+  std::function<const VecX&(const State&)> forces;  // N
+  std::function<Counters()> counters;
+  std::function<Held()> held;
+};
+using Simulate = std::function<Simulation(const Cloth&, const Method&)>;
+
+// Prints the page and returns 0; writes nothing else. Throws std::invalid_argument for a method that
+// the scene cannot be solved with.
+int explain(const Options&, const Scene&, const Simulate&);
+
+template <class... Lists>
+size_t bytes_in(const Lists&... lists) {
+  return (size_t(0) + ... + (sizeof(*lists.data()) * size_t(lists.size())));
+}
+
+inline size_t bytes_of(const BlockMatrix& A) {
+  return bytes_in(A.diagonal, A.upper, A.row_start, A.column);
+}
+
+// A System's own lists, by the names that they have in every step.
+template <class System>
+Held held_by(const System& s) {
+  Held held;
+  held.vectors = bytes_in(s.f);
+  if constexpr (requires { s.K; }) {
+    held.vectors += bytes_in(s.b, s.dv, s.v, s.Dv, s.start.x, s.start.v, s.trial.x, s.trial.v);
+    held.matrices = bytes_of(s.K) + bytes_of(s.D) + bytes_of(s.A) + bytes_of(s.D_start);
+    held.slots =
+        bytes_in(s.slots.triangles, s.slots.springs, s.slots.hinges, s.slots.quadratic_hinges);
+  }
+  if constexpr (requires { s.T; }) held.vectors += bytes_in(s.r, s.c, s.q, s.s);
+  return held;
+}
+
+template <class System>
+Counters counted_by(const System& s) {
+  Counters counters;
+  if constexpr (requires { s.indefinite; }) counters.indefinite = s.indefinite;
+  if constexpr (requires { s.unconverged; }) counters.unconverged = s.unconverged;
+  if constexpr (requires { s.iterations; }) counters.iterations = s.iterations;
+  if constexpr (requires { s.capped; }) counters.capped = s.capped;
+  return counters;
+}
+
+template <class System>
+System make_system(const Cloth& cloth, const Method& method) {
+  if constexpr (std::is_constructible_v<System, const Cloth&, const Method&>)
+    return System(cloth, method);
+  else
+    return System(cloth);
+}
+
+// The same for a step's System, time_step and forces.
+template <class System, class TimeStep, class Forces>
+int explain(const Options& options, const Scene& scene, TimeStep* time_step, Forces* forces) {
+  return explain(options, scene, [=](const Cloth& of, const Method& method) -> Simulation {
+    const auto cloth = std::make_shared<Cloth>(of);
+    const auto system = std::make_shared<System>(make_system<System>(of, method));
+    return {[=](double h, State& state) { time_step(*cloth, h, state, *system); },
+            [=](const State& state) -> const VecX& {
+              forces(*cloth, state, *system);
+              return system->f;
+            },
+            [=] { return counted_by(*system); }, [=] { return held_by(*system); }};
+  });
+}

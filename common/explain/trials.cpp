@@ -1,0 +1,175 @@
+#include "explain/trials.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "explain/text.h"
+
+namespace {
+
+constexpr double longest_thread = 1000;  // of its length; a longer one is an explosion
+constexpr double slow = 0.1;             // s, a step
+
+// Ten steps or a multiple, so that h can be ten times as long, and about twenty stops; every step
+// where there are few, or where they take long.
+long stride_of(const Scene& scene, const Simulate& simulate, const Method& method) {
+  if (scene.time.steps() < 20) return 1;
+  const Simulation simulation = simulate(scene.cloth, method);
+  State state = scene.start;
+  if (seconds_of([&] { simulation.step(scene.time.h, state); }) > slow) return 1;
+  return 10 * std::max(1L, std::lround(double(scene.time.steps()) / 200));
+}
+
+// Where the vertices of a grid of fewer cells lie in a finer one, between its vertices.
+VecX sampled(const VecX& x, const Grid& fine, const Grid& coarse) {
+  VecX at(3 * coarse.vertices());
+  for (int j = 0; j <= coarse.cells[1]; ++j)
+    for (int i = 0; i <= coarse.cells[0]; ++i) {
+      const double u = double(i) * fine.cells[0] / coarse.cells[0];
+      const double v = double(j) * fine.cells[1] / coarse.cells[1];
+      const int column = std::min(int(u), fine.cells[0] - 1);
+      const int row = std::min(int(v), fine.cells[1] - 1);
+      const auto corner = [&](int right, int up) {
+        return Vec3(x.segment<3>(3 * fine.vertex(column + right, row + up)));
+      };
+      const double a = u - column, b = v - row;
+      const Vec3 below = (1 - a) * corner(0, 0) + a * corner(1, 0);
+      const Vec3 above = (1 - a) * corner(0, 1) + a * corner(1, 1);
+      at.segment<3>(3 * coarse.vertex(i, j)) = (1 - b) * below + b * above;
+    }
+  return at;
+}
+
+}  // namespace
+
+double seconds_of(const std::function<void()>& work) {
+  const auto now = [] {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+  };
+  const double start = now();
+  work();
+  return now() - start;
+}
+
+double rms_distance(const VecX& a, const VecX& b) {
+  return (a - b).norm() / std::sqrt(double(a.size()) / 3);
+}
+
+void Trial::advance() {
+  if (!ended.empty()) return;
+  const long stop = steps + stride;
+  bool finite = true;
+  seconds += seconds_of([&] {
+    for (; finite && steps < stop; ++steps) {
+      simulation.step(h, state);
+      finite = state.x.allFinite();
+    }
+  });
+  if (!finite || !(max_stretch(*mesh, state.x) <= longest_thread))
+    ended = text("explodes by t = %.3g s", double(steps) * h);
+}
+
+void Trial::note(const VecX& compared_with) {
+  seconds_at.push_back(seconds);
+  distance_at.push_back(rms_distance(state.x, seen(compared_with)));
+}
+
+Trials::Trials(const Options& options_, const Scene& scene_, const Simulate& simulate_)
+    : options(options_), scene(scene_), simulate(simulate_),
+      stride(stride_of(scene_, simulate_, options_.method)) {}
+
+Trial Trials::trial(const std::string& name, const Cloth& cloth, const Method& method,
+                    double factor_h) const {
+  return {name,
+          factor_h * scene.time.h,
+          std::lround(double(stride) / factor_h),
+          simulate(cloth, method),
+          scene.start,
+          &scene.mesh,
+          [](const VecX& x) { return x; }};
+}
+
+Trial Trials::nudged(double by) const {
+  Trial all = trial("", scene.cloth, options.method);
+  for (int i = 0; i < all.state.x.size(); ++i)
+    all.state.x[i] += by * std::sqrt(2.0 / 3) * std::sin(1.0 + 12.9898 * i);
+  for (const Pin& pin : scene.cloth.pins)
+    all.state.x.segment<3>(3 * pin.vertex) = scene.start.x.segment<3>(3 * pin.vertex);
+  return all;
+}
+
+NamedMethod Trials::tighter() const {
+  NamedMethod tight = {"", options.method};
+  tight.method.tolerance /= 10;
+  tight.options = options_of(tight.method);
+  return tight;
+}
+
+// What of it is not as it was asked for.
+std::string Trials::options_of(const Method& method) const {
+  std::string words;
+  if (method.solver != options.method.solver) words += " --solver " + method.solver;
+  if (method.preconditioner != options.method.preconditioner)
+    words += " --preconditioner " + method.preconditioner;
+  if (method.tolerance != options.method.tolerance)
+    words += " --tolerance " + text("%g", method.tolerance);
+  return words.empty() ? words : words.substr(1);
+}
+
+std::vector<NamedMethod> Trials::other_methods() const {
+  std::vector<NamedMethod> methods;
+  Method method = options.method;
+  if (options.concepts.direct)
+    for (const char* solver : {"ldlt", "cholmod"}) {
+      method.solver = solver;
+      methods.push_back({options_of(method), method});
+    }
+  if (options.concepts.iterative)
+    for (const char* preconditioner : {"block", "ic", "multigrid"})
+      for (const double tolerance : {options.method.tolerance, 1e-2}) {
+        if (tolerance < options.method.tolerance) continue;
+        method.preconditioner = preconditioner;
+        method.tolerance = tolerance;
+        methods.push_back({options_of(method), method});
+      }
+  return methods;
+}
+
+// Half the cells and twice h: an eighth of the work. Throws BadInput where other cells are no option.
+Trial Trials::fewer_cells() const {
+  Overrides overrides = options.overrides;
+  overrides.cells = scene.cloth.grid->cells[0] / 2;
+  overrides.h = 2 * scene.time.h;
+  const auto coarse =
+      std::make_shared<const Scene>(read_scene(options.scene, options.program, overrides));
+  return {"--cells " + std::to_string(*overrides.cells) + " --h " + text("%g", *overrides.h),
+          *overrides.h,
+          stride / 2,
+          simulate(coarse->cloth, options.method),
+          coarse->start,
+          &coarse->mesh,
+          [coarse, fine = *scene.cloth.grid](const VecX& x) {
+            return sampled(x, fine, *coarse->cloth.grid);
+          }};
+}
+
+std::vector<std::function<Trial()>> Trials::cheaper() const {
+  std::vector<std::function<Trial()>> list;
+  if (!options.concepts.implicit && scene.cloth.grid && scene.cloth.grid->cells[0] >= 4 &&
+      stride % 2 == 0)
+    list.push_back([this] { return fewer_cells(); });
+  if (options.concepts.implicit)
+    for (const int factor : {5, 10})
+      for (const NamedMethod& other : other_methods())
+        if (stride % factor == 0)
+          list.push_back([=, this] {
+            return trial("--h " + text("%g", factor * scene.time.h) +
+                             (other.options.empty() ? "" : " " + other.options),
+                         scene.cloth, other.method, factor);
+          });
+  return list;
+}

@@ -1,0 +1,89 @@
+#include "text/text_file.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "text/bad_input.h"
+
+namespace {
+
+std::string reason() {
+  return errno ? std::strerror(errno) : "the system gives no reason";
+}
+
+// close() hands the last bytes to the system, so a full disk may show only there.
+bool written(const std::filesystem::path& path, std::string_view text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file.write(text.data(), std::streamsize(text.size()));
+  file.close();
+  return !file.fail();
+}
+
+}  // namespace
+
+void write_text(const std::filesystem::path& path, std::string_view text) {
+  const std::filesystem::path part = path.string() + ".part";
+  std::string why;
+  if (written(part, text)) {
+    std::error_code error;
+    std::filesystem::rename(part, path, error);
+    if (!error) return;
+    why = error.message();
+  } else {
+    why = reason();
+  }
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  throw std::runtime_error("cannot write " + path.string() + ": " + why);
+}
+
+std::string no_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return "there is no such file";
+  if (std::filesystem::is_directory(path, error)) return "this is a directory, a file is needed";
+  return "";
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  const std::string name = path.string(), missing = no_file(path);
+  if (!missing.empty()) throw BadInput(name + ": " + missing);
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file.is_open() || file.bad()) throw BadInput(name + ": cannot be read: " + reason());
+  return text;
+}
+
+void append_number(std::string& text, double number) {
+  char digits[32];
+  const std::to_chars_result end =
+      std::to_chars(digits, digits + sizeof digits, number, std::chars_format::general, 17);
+  text.append(digits, end.ptr);
+}
+
+bool take_number(std::string_view& text, double& number) {
+  size_t begin = text.find_first_not_of(" \t");
+  if (begin == text.npos) return false;
+  if (text[begin] == '+') ++begin;  // legal in most formats, but not for from_chars
+  const char* const end = text.data() + text.size();
+  double value = 0;
+  const std::from_chars_result read = std::from_chars(text.data() + begin, end, value);
+  if (read.ec != std::errc() || !std::isfinite(value)) return false;
+  number = value;
+  text.remove_prefix(size_t(read.ptr - text.data()));
+  return true;
+}
+
+bool take_line(std::string_view& text, std::string_view& line) {
+  if (text.empty()) return false;
+  const size_t end = text.find('\n');
+  line = text.substr(0, end);
+  text.remove_prefix(end == text.npos ? text.size() : end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return true;
+}

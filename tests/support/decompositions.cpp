@@ -1,0 +1,34 @@
+#include "support/decompositions.h"
+
+#include <Eigen/Eigenvalues>
+
+Eigenpairs eigenpairs(const MatX& A) {
+  const Eigen::SelfAdjointEigenSolver<MatX> solver(A);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+VecX eigenvalues(const MatX& A) {
+  return Eigen::SelfAdjointEigenSolver<MatX>(A, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+MatX range(const MatX& A) {
+  const Eigenpairs pairs = eigenpairs(A);
+  const double zero = 1e-9 * std::max(pairs.values.maxCoeff(), 1e-9);
+  return pairs.vectors.rightCols((pairs.values.array() > zero).count());
+}
+
+VecX solve(const MatX& A, const VecX& b) {
+  return A.ldlt().solve(b);
+}
+
+MatX inverse(const MatX& A) {
+  return A.inverse();
+}
+
+MatX cholesky(const MatX& A) {
+  return A.llt().matrixL();
+}
+
+MatX orthonormal(const MatX& square) {
+  return square.householderQr().householderQ();
+}

@@ -1,0 +1,41 @@
+// Matrices the slow and plain way: every condition of a cloth on all coordinates at once, its
+// gradient g = ∂C/∂x and its second derivative H = ∂²C/∂x² written out in full. What the steps assemble
+// block by block has to be the same.
+#pragma once
+#include <vector>
+
+#include "math/block_matrix.h"
+#include "math/method.h"
+#include "scene/make_cloth.h"
+#include "support/decompositions.h"
+#include "support/poses.h"
+
+MatX dense(const BlockMatrix&);
+
+struct DenseCondition {
+  Term term;
+  bool convex;
+  double C;
+  VecX g;
+  MatX H;
+};
+
+std::vector<DenseCondition> dense_conditions(const Cloth&, const VecX& x);
+
+// A square metre with stretch, shear, two springs across and damping in all of them.
+Cloth rich_cloth(const Mesh&);
+
+Mesh small_grid();
+
+// The grid disturbed by up to `size` m in every coordinate, with velocities of up to 2 m/s.
+State disturbed(const Mesh&, double size, Random&);
+
+// f, K and D of step 3 at a state.
+struct Evaluated {
+  VecX f;
+  MatX K, D;
+};
+
+Evaluated evaluate(const Cloth&, const State&, Jacobian);
+
+double relative(const MatX& a, const MatX& b);  // |a − b|/|b|
