@@ -34,9 +34,8 @@ void add_family(const Family& family, const State& state, System& system) {
   for (const auto& element : family.elements) {
     const Vecs<Family::Y> y = gather(element, state.x);
     Sum<Family::Y> sum;
-    family.conditions(element, y, [&](const Term& term, const auto& condition, const auto&) {
-      act(term, condition, sum);
-    });
+    family.conditions(element, y,
+                      [&](const Term& term, const auto& condition) { act(term, condition, sum); });
     scatter(element, sum.f, system.f);
   }
 }

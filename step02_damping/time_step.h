@@ -38,7 +38,7 @@ void add_family(const Family& family, const State& state, System& system) {
   for (const auto& element : family.elements) {
     const Vecs<Family::Y> y = gather(element, state.x), ydot = gather(element, state.v);
     Sum<Family::Y> sum;
-    family.conditions(element, y, [&](const Term& term, const auto& condition, const auto&) {
+    family.conditions(element, y, [&](const Term& term, const auto& condition) {
       act(term, condition, ydot, sum);
     });
     scatter(element, sum.f, system.f);

@@ -18,9 +18,7 @@ int simulate(const Options& options) {
   for (int frame = 0; frame <= scene.time.frames; ++frame) {
     while (run.before_frame(frame)) {
       step03::time_step(cloth, scene.time.h, state, system);
-      run.counters.indefinite = system.indefinite;
-      run.counters.unconverged = system.unconverged;
-      run.check(state);
+      run.check(state, system.counts);
     }
     run.record(frame, state);
   }

@@ -26,7 +26,7 @@ struct System {
   std::unique_ptr<DirectSolver> solver;
   State start, trial;  // of a Newton step
   BlockMatrix D_start;
-  long indefinite = 0, unconverged = 0;  // steps: A not definite, Newton not at its end
+  Counters counts;
 };
 
 // 1. Forces and their derivatives -----------------------------------------------------------------
@@ -42,9 +42,9 @@ struct Sum {
 // and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
 // Their derivatives:     K = −k ∂C/∂y ∂C/∂yᵀ − (k C + kd Ċ) ∂²C/∂y²,  D = −kd ∂C/∂y ∂C/∂yᵀ
 // A stays positive definite if of the second term only max(k C, 0) ∂²C/∂y² of convex C is kept.
-template <int M, class Second, class Rates, int Y>
-void act(const Term& term, const Condition<M>& c, const Second& second, Jacobian jacobian,
-         const Rates& ydot, Sum<Y>& sum) {
+template <class Condition, class Rates, int Y>
+void act(const Term& term, const Condition& c, Jacobian jacobian, const Rates& ydot, Sum<Y>& sum) {
+  constexpr int M = Condition::M;
   double Cdot = 0;
   if (term.kd > 0)
     for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
@@ -52,7 +52,7 @@ void act(const Term& term, const Condition<M>& c, const Second& second, Jacobian
 
   double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
   if (jacobian == Jacobian::bw98) kept = term.k * c.C + term.kd * Cdot;
-  const Mats<M> d2Cdy2 = kept != 0 ? second() : zero_matrices<M>();
+  const Mats<M> d2Cdy2 = kept != 0 ? c.second() : zero_matrices<M>();
   for (int m = 0; m < M; ++m)
     for (int n = 0; n < M; ++n) {
       const Mat3 ggT = c.dCdy[m] * c.dCdy[n].transpose();
@@ -62,14 +62,14 @@ void act(const Term& term, const Condition<M>& c, const Second& second, Jacobian
 }
 
 // One family of elements: gather y, let its conditions act there, and scatter to the vertices.
-template <class Family, class Slots>
-void add_family(const Family& family, const Slots& slots, const State& state, System& system) {
-  auto slot = slots.begin();
+template <class Family>
+void add_family(const Family& family, const State& state, System& system) {
+  auto slot = system.slots.of(family).begin();
   for (const auto& element : family.elements) {
     const Vecs<Family::Y> y = gather(element, state.x), ydot = gather(element, state.v);
     Sum<Family::Y> sum;
-    family.conditions(element, y, [&](const Term& term, const auto& condition, const auto& second) {
-      act(term, condition, second, system.method.jacobian, ydot, sum);
+    family.conditions(element, y, [&](const Term& term, const auto& condition) {
+      act(term, condition, system.method.jacobian, ydot, sum);
     });
     scatter(element, sum.f, system.f);
     scatter(element, sum.K, *slot, system.K);
@@ -88,8 +88,8 @@ inline void forces(const Cloth& cloth, const State& state, System& system) {
   system.K.set_zero();
   system.D.set_zero();
   if (cloth.gravity) add_gravity(cloth, system);
-  add_family(cloth.triangles, system.slots.triangles, state, system);
-  add_family(cloth.springs, system.slots.springs, state, system);
+  add_family(cloth.triangles, state, system);
+  add_family(cloth.springs, state, system);
 }
 
 // 2. Time step ------------------------------------------------------------------------------------
@@ -99,7 +99,7 @@ inline void solve(const Cloth& cloth, double h, System& system) {
   system.A.set_diagonal(cloth.mass);
   system.A.add(-h, system.D);
   system.A.add(-h * h, system.K);
-  if (!system.solver->solve(system.A, system.b, system.dv)) ++system.indefinite;
+  if (!system.solver->solve(system.A, system.b, system.dv)) ++system.counts.indefinite;
 }
 
 // Φ(v) = ½ |v − v0|²_M + E(x0 + h v) − h/2 vᵀ D v: backward Euler's v, with D as at x0, minimises it.
@@ -110,33 +110,43 @@ inline double potential(const Cloth& cloth, double h, const VecX& v, System& sys
          potential_energy(cloth, system.trial.x) - 0.5 * h * v.dot(system.Dv);
 }
 
+// How far to go along Δv: halved until Φ falls by 1e-4 of what its slope, bᵀΔv, promises (Armijo).
+inline double line_search(const Cloth& cloth, double h, double slope, double Phi, double rounding,
+                          System& system) {
+  double step = slope < 0 ? -1 : 1;  // downhill, whatever A is
+  if (std::abs(slope) <= rounding) return step;
+  while (std::abs(step) > 1e-12 &&
+         potential(cloth, h, system.v + step * system.dv, system) > Phi - 1e-4 * step * slope)
+    step /= 2;
+  return step;
+}
+
 // Newton's method on Φ from v = 0: A is its second derivative or the definite part, b = −Φ'. Its first
-// definite step is the plain step below. A step too long is halved until Φ falls. bᵀΔv is left to
-// gain; 1e-8 of the first one (Δv: 1e-4 of the first) is enough.
+// definite step is the plain step below. It has converged when the Newton decrement bᵀΔv is 1e-8 of the
+// first one, and so Δv about 1e-4 of the first.
 inline void newton_step(const Cloth& cloth, double h, State& state, System& system) {
   VecX &v = system.v, &b = system.b;
   system.start = state;
   system.trial = {state.x, v.setZero()};  // at rest: the damping force is D v
-  double first = 0, left = 1;
-  for (int iteration = 0; iteration < system.method.newton && left > 1e-8; ++iteration) {
+  double first = 0;
+  bool converged = false;
+  for (int iteration = 0; iteration < system.method.newton && !converged; ++iteration) {
     forces(cloth, system.trial, system);
     if (iteration == 0) system.D_start = system.D;
     system.D = system.D_start;
     system.D.multiply(v, system.Dv);
     b = cloth.mass.cwiseProduct(system.start.v - v) + h * (system.f + system.Dv);
     solve(cloth, h, system);
-    const double gain = b.dot(system.dv), Phi = potential(cloth, h, v, system);
-    if (iteration == 0) first = std::abs(gain);
-    const double scale = std::abs(Phi) + 0.5 * system.start.v.cwiseAbs2().dot(cloth.mass);
-    double step = gain < 0 ? -1 : 1;  // downhill, whatever A is
-    while (std::abs(gain) > 1e-12 * scale && std::abs(step) > 1e-12 &&
-           potential(cloth, h, v + step * system.dv, system) > Phi - 1e-4 * step * gain)
-      step /= 2;
-    v += step * system.dv;
+
+    const double decrement = b.dot(system.dv), Phi = potential(cloth, h, v, system);
+    const double rounding =
+        1e-12 * (std::abs(Phi) + 0.5 * system.start.v.cwiseAbs2().dot(cloth.mass));
+    if (iteration == 0) first = std::abs(decrement);
+    v += line_search(cloth, h, decrement, Phi, rounding, system) * system.dv;
     system.trial.x = system.start.x + h * v;
-    left = std::abs(gain) / (first + 1e-12 * scale);
+    converged = std::abs(decrement) <= 1e-8 * (first + rounding);
   }
-  if (left > 1e-8) ++system.unconverged;
+  if (!converged) ++system.counts.unconverged;
   state = {system.trial.x, v};
 }
 

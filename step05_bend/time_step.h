@@ -16,7 +16,7 @@ struct System {
   explicit System(const Cloth& cloth, const Method& method_ = {})
       : method(method_), f(cloth.mass.size()), b(f), dv(f), v(f), K(make_block_matrix(cloth)), A(K),
         slots(cloth, K), r(f.size()), c(r), q(r), s(r),
-        T(make_preconditioner(method.preconditioner, A, cloth.pins, cloth.grid)) {
+        preconditioner(make_preconditioner(method.preconditioner, A, cloth.pins, cloth.grid)) {
     if (damped(cloth)) D = K;
   }
 
@@ -24,12 +24,11 @@ struct System {
   VecX f, b, dv, v, Dv;  // N, N·s, m/s, m/s, N
   BlockMatrix K, D, A;   // N/m, N·s/m, kg; D is empty without damping
   ClothSlots slots;
-  VecX r, c, q, s;                    // residual, N·s; direction, m/s; A c; T r
-  std::unique_ptr<Preconditioner> T;  // near A⁻¹
-  State start, trial;                 // of a Newton step
+  VecX r, c, q, s;                                 // residual, N·s; direction, m/s; A c; P⁻¹ r
+  std::unique_ptr<Preconditioner> preconditioner;  // P, near A
+  State start, trial;                              // of a Newton step
   BlockMatrix D_start;
-  long indefinite = 0, unconverged = 0;  // steps: A not definite, Newton not at its end
-  long iterations = 0, capped = 0;       // of conjugate gradients; systems that needed more
+  Counters counts;
 };
 
 // 1. Forces and their derivatives -----------------------------------------------------------------
@@ -45,9 +44,9 @@ struct Sum {
 // and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
 // Their derivatives:     K = −k ∂C/∂y ∂C/∂yᵀ − (k C + kd Ċ) ∂²C/∂y²,  D = −kd ∂C/∂y ∂C/∂yᵀ
 // A stays positive definite if of the second term only max(k C, 0) ∂²C/∂y² of convex C is kept.
-template <int M, class Second, class Rates, int Y>
-void act(const Term& term, const Condition<M>& c, const Second& second, Jacobian jacobian,
-         const Rates& ydot, Sum<Y>& sum) {
+template <class Condition, class Rates, int Y>
+void act(const Term& term, const Condition& c, Jacobian jacobian, const Rates& ydot, Sum<Y>& sum) {
+  constexpr int M = Condition::M;
   double Cdot = 0;
   if (term.kd > 0)
     for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
@@ -55,7 +54,7 @@ void act(const Term& term, const Condition<M>& c, const Second& second, Jacobian
 
   double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
   if (jacobian == Jacobian::bw98) kept = term.k * c.C + term.kd * Cdot;
-  const Mats<M> d2Cdy2 = kept != 0 ? second() : zero_matrices<M>();
+  const Mats<M> d2Cdy2 = kept != 0 ? c.second() : zero_matrices<M>();
   for (int m = 0; m < M; ++m)
     for (int n = 0; n < M; ++n) {
       const Mat3 ggT = c.dCdy[m] * c.dCdy[n].transpose();
@@ -65,14 +64,14 @@ void act(const Term& term, const Condition<M>& c, const Second& second, Jacobian
 }
 
 // One family of elements: gather y, let its conditions act there, and scatter to the vertices.
-template <class Family, class Slots>
-void add_family(const Family& family, const Slots& slots, const State& state, System& system) {
-  auto slot = slots.begin();
+template <class Family>
+void add_family(const Family& family, const State& state, System& system) {
+  auto slot = system.slots.of(family).begin();
   for (const auto& element : family.elements) {
     const Vecs<Family::Y> y = gather(element, state.x), ydot = gather(element, state.v);
     Sum<Family::Y> sum;
-    family.conditions(element, y, [&](const Term& term, const auto& condition, const auto& second) {
-      act(term, condition, second, system.method.jacobian, ydot, sum);
+    family.conditions(element, y, [&](const Term& term, const auto& condition) {
+      act(term, condition, system.method.jacobian, ydot, sum);
     });
     scatter(element, sum.f, system.f);
     scatter(element, sum.K, *slot, system.K);
@@ -91,10 +90,11 @@ inline void forces(const Cloth& cloth, const State& state, System& system) {
   system.K.set_zero();
   system.D.set_zero();
   if (cloth.gravity) add_gravity(cloth, system);
-  add_family(cloth.triangles, system.slots.triangles, state, system);
-  add_family(cloth.springs, system.slots.springs, state, system);
-  add_family(cloth.hinges, system.slots.hinges, state, system);
-  add_family(cloth.quadratic_hinges, system.slots.quadratic_hinges, state, system);
+  add_family(cloth.triangles, state, system);
+  add_family(cloth.springs, state, system);
+  add_family(cloth.hinges, state, system);
+  add_family(cloth.quadratic_hinges, state, system);
+  add_family(cloth.bend_springs, state, system);
 }
 
 // 2. Conjugate gradients --------------------------------------------------------------------------
@@ -118,7 +118,7 @@ inline void prescribe(const Cloth& cloth, const VecX& v, VecX& z) {
 
 // Modified conjugate gradients (BW98): of all Δv that are z where pins hold, the one that makes
 // ½ Δvᵀ A Δv − bᵀ Δv smallest, where the residual r = S (b − A Δv) is zero. Every direction c is
-// A-conjugate to those before it. Enough is rᵀ T r ≤ tolerance² Δvᵀ M Δv: if T were A⁻¹, Δv would then
+// A-conjugate to those before it. Enough is rᵀ P⁻¹ r ≤ tolerance² Δvᵀ M Δv: if P were A, Δv would then
 // be wrong by no more than `tolerance` of itself, both measured by their kinetic energy.
 inline void conjugate_gradients(const Cloth& cloth, System& system) {
   VecX &dv = system.dv, &r = system.r, &c = system.c, &q = system.q, &s = system.s;
@@ -128,7 +128,7 @@ inline void conjugate_gradients(const Cloth& cloth, System& system) {
   c.setZero();
   double delta_before = 1;
   for (int i = 0; i < system.method.max_iterations; ++i) {
-    system.T->apply(r, s);
+    system.preconditioner->apply(r, s);
     filter(cloth, s);
     const double delta = r.dot(s), scale = dv.cwiseAbs2().dot(cloth.mass);
     const double enough = system.method.tolerance * system.method.tolerance * scale;
@@ -137,16 +137,16 @@ inline void conjugate_gradients(const Cloth& cloth, System& system) {
     system.A.multiply(c, q);
     filter(cloth, q);
     const double cAc = c.dot(q);
-    if (!(delta > 0 && cAc > 0)) {  // A or T is not definite, or holds a NaN
-      ++system.indefinite;
+    if (!(delta > 0 && cAc > 0)) {  // A or P is not definite, or holds a NaN
+      ++system.counts.indefinite;
       return;
     }
     dv += delta / cAc * c;
     r -= delta / cAc * q;
     delta_before = delta;
-    ++system.iterations;
+    ++system.counts.iterations;
   }
-  ++system.capped;
+  ++system.counts.capped;
 }
 
 // 3. Time step ------------------------------------------------------------------------------------
@@ -156,7 +156,7 @@ inline void solve(const Cloth& cloth, double h, const VecX& v, System& system) {
   system.A.set_diagonal(cloth.mass);
   system.A.add(-h, system.D);
   system.A.add(-h * h, system.K);
-  system.T->set(system.A);
+  system.preconditioner->set(system.A);
   prescribe(cloth, v, system.dv);
   conjugate_gradients(cloth, system);
 }
@@ -169,9 +169,20 @@ inline double potential(const Cloth& cloth, double h, const VecX& v, System& sys
          potential_energy(cloth, system.trial.x) - 0.5 * h * v.dot(system.Dv);
 }
 
+// How far to go along Δv: halved until Φ falls by 1e-4 of what its slope, bᵀΔv, promises (Armijo).
+inline double line_search(const Cloth& cloth, double h, double slope, double Phi, double rounding,
+                          System& system) {
+  double step = slope < 0 ? -1 : 1;  // downhill, whatever A is
+  if (std::abs(slope) <= rounding) return step;
+  while (std::abs(step) > 1e-12 &&
+         potential(cloth, h, system.v + step * system.dv, system) > Phi - 1e-4 * step * slope)
+    step /= 2;
+  return step;
+}
+
 // Newton's method on Φ from v = 0: A is its second derivative or the definite part, b = −Φ'. Its first
-// definite step is the plain step below. A step too long is halved until Φ falls. bᵀΔv is left to
-// gain; 1e-8 of the first one (Δv: 1e-4 of the first) is enough.
+// definite step is the plain step below. It has converged when the Newton decrement bᵀΔv is 1e-8 of the
+// first one, and so Δv about 1e-4 of the first.
 inline void newton_step(const Cloth& cloth, double h, State& state, System& system) {
   VecX &v = system.v, &b = system.b;
   system.start = state;
@@ -179,32 +190,31 @@ inline void newton_step(const Cloth& cloth, double h, State& state, System& syst
   prescribe(cloth, v, system.dv);         // but where pins move
   v += system.dv;
   system.trial.x += h * v;
-  double first = 0, left = 1;
-  for (int iteration = 0; iteration < system.method.newton && left > 1e-8; ++iteration) {
+  double first = 0;
+  bool converged = false;
+  for (int iteration = 0; iteration < system.method.newton && !converged; ++iteration) {
     forces(cloth, system.trial, system);
     if (iteration == 0) system.D_start = system.D;
     system.D = system.D_start;
     system.D.multiply(v, system.Dv);
     b = cloth.mass.cwiseProduct(system.start.v - v) + h * (system.f + system.Dv);
     solve(cloth, h, v, system);
-    const double gain = b.dot(system.dv), Phi = potential(cloth, h, v, system);
-    if (iteration == 0) first = std::abs(gain);
-    const double scale = std::abs(Phi) + 0.5 * system.start.v.cwiseAbs2().dot(cloth.mass);
-    double step = gain < 0 ? -1 : 1;  // downhill, whatever A is
-    while (std::abs(gain) > 1e-12 * scale && std::abs(step) > 1e-12 &&
-           potential(cloth, h, v + step * system.dv, system) > Phi - 1e-4 * step * gain)
-      step /= 2;
-    v += step * system.dv;
+
+    const double decrement = b.dot(system.dv), Phi = potential(cloth, h, v, system);
+    const double rounding =
+        1e-12 * (std::abs(Phi) + 0.5 * system.start.v.cwiseAbs2().dot(cloth.mass));
+    if (iteration == 0) first = std::abs(decrement);
+    v += line_search(cloth, h, decrement, Phi, rounding, system) * system.dv;
     system.trial.x = system.start.x + h * v;
-    left = std::abs(gain) / (first + 1e-12 * scale);
+    converged = std::abs(decrement) <= 1e-8 * (first + rounding);
   }
-  if (left > 1e-8) ++system.unconverged;
+  if (!converged) ++system.counts.unconverged;
   state = {system.trial.x, v};
 }
 
 // The cloth remembers its folds: which of the angles that look alike, a full turn apart, is θ.
 inline void time_step(Cloth& cloth, double h, State& state, System& system) {
-  cloth.hinges.follow(state.x);
+  follow(cloth.hinges.elements, state.x);
   if (system.method.newton > 1) return newton_step(cloth, h, state, system);
   forces(cloth, state, system);
   system.K.multiply(state.v, system.b);

@@ -106,8 +106,8 @@ void print_costs(const Options& options, const Scene& scene, const std::vector<P
     print_cost(parts[p].name, {s.without_seconds[p], own + blocks}, whole,
                blocks > 0 ? text("%s of it in the matrices", bytes(blocks).c_str()) : "");
   }
-  if (scene.cloth.triangles.stretch && scene.cloth.triangles.shear)
-    print_cost("triangles", shared, whole, "what stretch and shear share");
+  if (const auto sharing = sharing_terms(scene.cloth); !sharing.empty())
+    print_cost("triangles", shared, whole, "what " + joined(sharing, " and ") + " share");
   else
     solve = {solve.seconds + shared.seconds, solve.bytes + shared.bytes};
   const char* rest = options.method.newton > 1   ? "Newton and solve"

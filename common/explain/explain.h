@@ -44,21 +44,16 @@ Held held_by(const System& s) {
   if constexpr (requires { s.K; }) {
     held.vectors += bytes_in(s.b, s.dv, s.v, s.Dv, s.start.x, s.start.v, s.trial.x, s.trial.v);
     held.matrices = bytes_of(s.K) + bytes_of(s.D) + bytes_of(s.A) + bytes_of(s.D_start);
-    held.slots =
-        bytes_in(s.slots.triangles, s.slots.springs, s.slots.hinges, s.slots.quadratic_hinges);
+    held.slots = s.slots.bytes();
   }
-  if constexpr (requires { s.T; }) held.vectors += bytes_in(s.r, s.c, s.q, s.s);
+  if constexpr (requires { s.preconditioner; }) held.vectors += bytes_in(s.r, s.c, s.q, s.s);
   return held;
 }
 
 template <class System>
 Counters counted_by(const System& s) {
-  Counters counters;
-  if constexpr (requires { s.indefinite; }) counters.indefinite = s.indefinite;
-  if constexpr (requires { s.unconverged; }) counters.unconverged = s.unconverged;
-  if constexpr (requires { s.iterations; }) counters.iterations = s.iterations;
-  if constexpr (requires { s.capped; }) counters.capped = s.capped;
-  return counters;
+  if constexpr (requires { s.counts; }) return s.counts;
+  return {};
 }
 
 template <class System>

@@ -1,41 +1,13 @@
 #include "explain/limit.h"
 
+#include "math/energy.h"
 #include "math/stable_step.h"
 
 namespace {
 
-struct Forces {
-  VecX f;  // N
-};
-
 double h_crit_of(const Cloth& cloth, const State& start, const Simulate& simulate,
                  const Method& method) {
-  const Simulation simulation = simulate(cloth, method);
-  Forces system;
-  const auto forces = [&](const Cloth&, const State& state, Forces& sum) {
-    sum.f = simulation.forces(state);
-  };
-  return critical_step(cloth, start, forces, system);
-}
-
-// f −= k C ∂C/∂y, carried to the vertices.
-template <class Family>
-void add_elastic_forces(const Family& family, const VecX& x, VecX& f) {
-  for (const auto& element : family.elements) {
-    Vecs<Family::Y> f_y = zero_vectors<Family::Y>();
-    family.conditions(element, gather(element, x),
-                      [&](const Term& term, const auto& c, const auto&) {
-                        for (size_t m = 0; m < c.dCdy.size(); ++m)
-                          f_y[size_t(c.first) + m] -= term.k * c.C * c.dCdy[m];
-                      });
-    scatter(element, f_y, f);
-  }
-}
-
-void elastic_forces(const Cloth& cloth, const State& state, Forces& system) {
-  system.f.setZero(state.x.size());
-  for_each_family(cloth,
-                  [&](const auto& family) { add_elastic_forces(family, state.x, system.f); });
+  return critical_step(cloth, start, simulate(cloth, method).forces);
 }
 
 }  // namespace
@@ -49,6 +21,12 @@ Limit explicit_limit(const Scene& scene, const std::vector<Part>& parts, const S
 }
 
 double largest_frequency(const Scene& scene) {
-  Forces system;
-  return 2 / critical_step(scene.cloth, scene.start, elastic_forces, system);
+  VecX f;
+  const auto forces = [&](const State& state) -> const VecX& {
+    f.setZero(state.x.size());
+    for_each_family(scene.cloth,
+                    [&](const auto& family) { add_elastic_forces(family, state.x, f); });
+    return f;
+  };
+  return 2 / critical_step(scene.cloth, scene.start, forces);
 }

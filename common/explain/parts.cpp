@@ -2,33 +2,26 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 namespace {
 
-using Slot = std::optional<Term>;
-
-// Where a cloth keeps its terms. Springs bend: they are one of the models of [bend].
-std::vector<Slot*> slots_of(Cloth& cloth) {
-  return {&cloth.triangles.stretch, &cloth.triangles.shear, &cloth.springs.spring,
-          &cloth.hinges.bend, &cloth.quadratic_hinges.bend};
-}
-
 // Elements without a term are not there.
-void drop_idle_elements(Cloth& cloth) {
-  if (!cloth.triangles.stretch && !cloth.triangles.shear) cloth.triangles.elements.clear();
-  if (!cloth.springs.spring) cloth.springs.elements.clear();
-  if (!cloth.hinges.bend) cloth.hinges.elements.clear();
-  if (!cloth.quadratic_hinges.bend) cloth.quadratic_hinges.elements.clear();
-}
-
-Cloth without_term(Cloth cloth, size_t slot) {
-  slots_of(cloth)[slot]->reset();
-  drop_idle_elements(cloth);
+Cloth without_term(Cloth cloth, const std::string& table) {
+  for_each_family(cloth, [&](auto& family) {
+    family.for_each_term([&]<class T>(std::optional<T>& term) {
+      if (T::info.table == table) term.reset();
+    });
+    if (!family.acts()) family.elements.clear();
+  });
   return cloth;
 }
 
-Cloth without_damping(Cloth cloth, const std::vector<size_t>& slots) {
-  for (const size_t slot : slots) (*slots_of(cloth)[slot])->kd = 0;
+Cloth without_damping(Cloth cloth, const std::vector<std::string>& tables) {
+  for_each_term(cloth, [&]<class T>(std::optional<T>& term) {
+    if (term && std::find(tables.begin(), tables.end(), T::info.table) != tables.end())
+      term->kd = 0;
+  });
   return cloth;
 }
 
@@ -43,63 +36,84 @@ std::string number(double value) {
   return text;
 }
 
-std::string describe(const Term& term, bool by_length, const std::string& model) {
-  std::string text = term.name + (model.empty() ? "" : " (" + model + ")") +
-                     " k = " + number(term.k) + (by_length ? " N/m" : " N·m");
-  if (term.kd > 0) text += ", kd = " + number(term.kd) + (by_length ? " N·s/m" : " N·m·s");
+std::string describe(const Term& term, const TermInfo& info) {
+  const auto with_unit = [](const char* name, double value, std::string_view unit) {
+    return name + number(value) + " " + std::string(unit);
+  };
+  std::string text(info.table);
+  if (!info.model.empty()) text += " (" + std::string(info.model) + ")";
+  text += with_unit(" k = ", term.k, info.units.k);
+  if (term.kd > 0) text += with_unit(", kd = ", term.kd, info.units.kd);
   return text;
+}
+
+// The tables of the terms that a cloth has, each once; of those that are damped.
+struct Tables {
+  std::vector<std::string> all, damped;
+};
+Tables tables_of(const Cloth& cloth) {
+  Tables tables;
+  const auto note = [](std::vector<std::string>& list, std::string_view table) {
+    if (std::find(list.begin(), list.end(), table) == list.end()) list.emplace_back(table);
+  };
+  for_each_term(cloth, [&]<class T>(const std::optional<T>& term) {
+    if (term) note(tables.all, T::info.table);
+    if (term && term->kd > 0) note(tables.damped, T::info.table);
+  });
+  return tables;
 }
 
 }  // namespace
 
 std::vector<Part> parts_of(const Cloth& cloth) {
-  Cloth looked_at = cloth;
-  const std::vector<Slot*> slots = slots_of(looked_at);
+  const auto [all, damped] = tables_of(cloth);
   std::vector<Part> parts;
   if (cloth.gravity)
     parts.push_back({"gravity", "--without gravity", false, without_gravity(cloth)});
-  std::vector<size_t> damped;
-  for (size_t slot = 0; slot < slots.size(); ++slot) {
-    if (!*slots[slot]) continue;
-    const std::string name = (*slots[slot])->name;
-    parts.push_back({name, "--without " + name, false, without_term(cloth, slot)});
-    if ((*slots[slot])->kd > 0) damped.push_back(slot);
-  }
+  for (const std::string& table : all)
+    parts.push_back({table, "--without " + table, false, without_term(cloth, table)});
   if (damped.size() > 1)
-    for (const size_t slot : damped) {
-      const std::string name = (*slots[slot])->name;
-      parts.push_back({"damping of " + name, "[damping] without " + name, true,
-                       without_damping(cloth, {slot})});
-    }
+    for (const std::string& table : damped)
+      parts.push_back({"damping of " + table, "[damping] without " + table, true,
+                       without_damping(cloth, {table})});
   if (!damped.empty())
-    parts.push_back(
-        {damped.size() > 1 ? "all damping" : std::string("damping of ") + (*slots[damped[0]])->name,
-         "--without damping", true, without_damping(cloth, damped)});
+    parts.push_back({damped.size() > 1 ? "all damping" : "damping of " + damped[0],
+                     "--without damping", true, without_damping(cloth, damped)});
   return parts;
 }
 
 std::vector<std::string> describe_terms(const Cloth& cloth) {
   std::vector<std::string> terms;
   if (cloth.gravity) terms.push_back("gravity " + number(cloth.gravity->norm()) + " m/s²");
-  if (const auto& term = cloth.triangles.stretch) terms.push_back(describe(*term, true, ""));
-  if (const auto& term = cloth.triangles.shear) terms.push_back(describe(*term, true, ""));
-  if (const auto& term = cloth.springs.spring) terms.push_back(describe(*term, true, "springs"));
-  const bool sine = cloth.hinges.model == BendModel::bridson;
-  if (const auto& term = cloth.hinges.bend)
-    terms.push_back(describe(*term, false, sine ? "bridson" : "dihedral"));
-  if (const auto& term = cloth.quadratic_hinges.bend)
-    terms.push_back(describe(*term, false, "quadratic"));
+  for_each_term(cloth, [&]<class T>(const std::optional<T>& term) {
+    if (term) terms.push_back(describe(*term, T::info));
+  });
   return terms;
+}
+
+std::vector<std::string> sharing_terms(const Cloth& cloth) {
+  std::vector<std::string> names;
+  for_each_family(cloth, [&](const auto& family) {
+    std::vector<std::string> here;
+    family.for_each_term([&]<class T>(const std::optional<T>& term) {
+      if (term) here.emplace_back(T::info.table);
+    });
+    if (here.size() > 1) names.insert(names.end(), here.begin(), here.end());
+  });
+  return names;
 }
 
 std::string describe_elements(const Scene& scene) {
   const Cloth& cloth = scene.cloth;
   std::string text = std::to_string(cloth.vertices()) + " vertices, " +
                      std::to_string(scene.mesh.faces.size()) + " triangles";
-  const size_t hinges = cloth.hinges.elements.size() + cloth.quadratic_hinges.elements.size();
-  if (hinges > 0) text += ", " + std::to_string(hinges) + " hinges";
-  if (const size_t springs = cloth.springs.elements.size())
-    text += ", " + std::to_string(springs) + " springs";
+  std::map<std::string_view, size_t> elements;  // hinges, springs
+  for_each_family(cloth, [&](const auto& family) {
+    elements[std::decay_t<decltype(family.elements[0])>::plural] += family.elements.size();
+  });
+  for (const auto& [plural, number] : elements)
+    if (number > 0 && plural != Triangle::plural)
+      text += ", " + std::to_string(number) + " " + std::string(plural);
   const long moving = std::count_if(cloth.pins.begin(), cloth.pins.end(),
                                     [](const Pin& pin) { return !pin.velocity.isZero(0); });
   text += ", " + std::to_string(cloth.pins.size()) + " pinned";

@@ -19,6 +19,9 @@ std::vector<Part> parts_of(const Cloth&);
 // gravity 9.81 m/s², stretch k = 1000 N/m, kd = 0.02 N·s/m, …
 std::vector<std::string> describe_terms(const Cloth&);
 
+// The terms that act on elements with another term, and share their costs with it.
+std::vector<std::string> sharing_terms(const Cloth&);
+
 // 3200 triangles, 4720 hinges, …
 std::string describe_elements(const Scene&);
 

@@ -66,7 +66,7 @@ class StepClock {
   // The second time: as in a run, where the step before has left everything in the caches.
   static double seconds(const Simulation& simulation, Cloth& of, const State& state) {
     const auto evaluate = [&] {
-      of.hinges.follow(state.x);
+      follow(of.hinges.elements, state.x);
       simulation.forces(state);
     };
     evaluate();

@@ -141,3 +141,9 @@ void scatter(const Element<N, Y>& e, const std::type_identity_t<Mats<Y>>& A_y,
   }
   add_blocks(e.vertices, A_e, slots, A);
 }
+
+template <int N>
+void scatter(const VertexElement<N>& e, const std::type_identity_t<Mats<N>>& A_y,
+             const Slots<N>& slots, BlockMatrix& A) {
+  add_blocks(e.vertices, A_y, slots, A);
+}

@@ -1,7 +1,8 @@
 // The cloth as the time steps see it: masses, pins, gravity, and families of elements. Whatever a
 // scene does not name is empty here.
 #pragma once
-#include <optional>
+#include <algorithm>
+#include <utility>
 
 #include "math/grid.h"
 #include "math/hinge.h"
@@ -10,38 +11,92 @@
 #include "math/spring.h"
 #include "math/triangle.h"
 
-struct Cloth {
-  VecX mass;                    // kg, one entry per coordinate
-  VecX inverse_mass;            // 1/kg, zero where a pin holds all of the vertex
-  std::vector<Pin> pins;        // at most one to a vertex
-  std::optional<Vec3> gravity;  // m/s²
+// Every term that there is, by the elements that it acts on.
+using Triangles = Family<Triangle, StretchTerm, ShearTerm>;
+using Springs = Family<Spring, SpringTerm>;
+using Hinges = Family<Hinge, DihedralBend, BridsonBend>;
+using QuadraticHinges = Family<QuadraticHinge, QuadraticBend>;
+using BendSprings = Family<Spring, SpringBend>;
 
+struct Families {
   Triangles triangles;
   Springs springs;
   Hinges hinges;
   QuadraticHinges quadratic_hinges;
-  std::optional<Grid> grid;  // of a cloth that is one
+  BendSprings bend_springs;
+
+  // The place of a term in its family.
+  template <class T>
+  std::optional<T>& term();
+  template <class T>
+  const std::optional<T>& term() const;
+};
+
+struct Cloth : Families {
+  VecX mass;                    // kg, one entry per coordinate
+  VecX inverse_mass;            // 1/kg, zero where a pin holds all of the vertex
+  std::vector<Pin> pins;        // at most one to a vertex
+  std::optional<Vec3> gravity;  // m/s²
+  std::optional<Grid> grid;     // of a cloth that is one
 
   int vertices() const { return int(mass.size()) / 3; }
 };
-
-template <class Act>
-void for_each_family(const Cloth& cloth, const Act& act) {
-  act(cloth.triangles);
-  act(cloth.springs);
-  act(cloth.hinges);
-  act(cloth.quadratic_hinges);
-}
-
-// Does any term of the cloth cost energy?
-inline bool damped(const Cloth& cloth) {
-  for (const auto& term : {cloth.triangles.stretch, cloth.triangles.shear, cloth.springs.spring,
-                           cloth.hinges.bend, cloth.quadratic_hinges.bend})
-    if (term && term->kd > 0) return true;
-  return false;
-}
 
 struct State {
   VecX x;  // m
   VecX v;  // m/s
 };
+
+// Hands every family to act(family). Families: a Cloth, const or not, or its Families alone.
+template <class Families, class Act>
+void for_each_family(Families& cloth, const Act& act) {
+  act(cloth.triangles);
+  act(cloth.springs);
+  act(cloth.hinges);
+  act(cloth.quadratic_hinges);
+  act(cloth.bend_springs);
+}
+
+// Hands every term, present or not, to act(term).
+template <class Families, class Act>
+void for_each_term(Families& cloth, const Act& act) {
+  for_each_family(cloth, [&](auto& family) { family.for_each_term(act); });
+}
+
+template <class T>
+const std::optional<T>& Families::term() const {
+  const std::optional<T>* place = nullptr;
+  for_each_family(*this, [&]<class Family>(const Family& family) {
+    if constexpr (Family::template lists<T>) place = &family.template term<T>();
+  });
+  return *place;
+}
+
+template <class T>
+std::optional<T>& Families::term() {
+  return const_cast<std::optional<T>&>(std::as_const(*this).term<T>());
+}
+
+// What every term calls itself, in the order of the lists.
+inline std::vector<TermInfo> term_infos() {
+  std::vector<TermInfo> infos;
+  const Families none;
+  for_each_term(none, [&]<class T>(const std::optional<T>&) { infos.push_back(T::info); });
+  return infos;
+}
+
+// The first step that teaches all terms of a cloth.
+inline int first_step_of(const Cloth& cloth) {
+  int step = 1;
+  for_each_term(cloth, [&]<class T>(const std::optional<T>& term) {
+    if (term) step = std::max(step, T::info.first_step);
+  });
+  return step;
+}
+
+// Does any term of the cloth cost energy?
+inline bool damped(const Cloth& cloth) {
+  bool damped = false;
+  for_each_term(cloth, [&](const auto& term) { damped = damped || (term && term->kd > 0); });
+  return damped;
+}

@@ -18,30 +18,48 @@
 
 #include "math/types.h"
 
-// A condition on the M vectors of y from y[first] on: its value and its gradient. The second
-// derivative, M × M blocks ∂²C/∂y_m∂y_n, is a function of its own, because explicit steps never need
-// it; that of a convex condition is positive semidefinite wherever y is.
-template <int M>
+// A condition on the M vectors of y from y[first] on: its value and its gradient, found by the
+// constructor of the model. A model also has
+//
+//   Mats<M> second() const      M × M blocks ∂²C/∂y_m∂y_n
+//
+// a function of its own, because explicit steps never need it. The second derivative of a convex
+// condition is positive semidefinite wherever y is.
+template <int M_>
 struct Condition {
+  static constexpr int M = M_;
+  static constexpr bool convex = false;
+
   double C;
   Vecs<M> dCdy;
   int first = 0;
-  bool convex = false;
 };
 
 // What a condition costs: E = k/2 C². Its damping is d = −kd Ċ ∂C/∂x.
 struct Term {
-  const char* name;
-  double k;       // N/m for stretch, shear and springs
-  double kd = 0;  // N·s/m
+  explicit Term(double k_, double kd_ = 0) : k(k_), kd(kd_) {}
+
+  double k;   // N/m for stretch, shear and springs
+  double kd;  // N·s/m
 };
 
 // The N vertices that an element reads, and the weights that make its Y vectors y of them. The
 // weights of each y add up to zero: moving the whole element is no deformation.
-template <int N, int Y>
+template <int N_, int Y_>
 struct Element {
+  static constexpr int N = N_, Y = Y_;
+
   std::array<int, N> vertices;
   Eigen::Matrix<double, Y, N> weight;
+};
+
+// An element whose vectors y are its N vertices, as seen from the first: moving the whole element
+// changes nothing, and far from the origin its edges stay exact.
+template <int N_>
+struct VertexElement {
+  static constexpr int N = N_, Y = N_;
+
+  std::array<int, N> vertices;
 };
 
 // y_m = Σ_i weight(m, i) x_i = Σ_{i>0} weight(m, i) (x_i − x_0), exact far from the origin as well.
@@ -56,7 +74,17 @@ Vecs<Y> gather(const Element<N, Y>& e, const VecX& x) {
   return y;
 }
 
+// y_i = x_i − x_0
+template <int N>
+Vecs<N> gather(const VertexElement<N>& e, const VecX& x) {
+  const Vec3 x0 = x.segment<3>(3 * e.vertices[0]);
+  Vecs<N> y;
+  for (int i = 0; i < N; ++i) y[i] = x.segment<3>(3 * e.vertices[i]) - x0;
+  return y;
+}
+
 // The chain rule:  f_i += Σ_m weight(m, i) f_m,  and f_0 is what makes the net force zero.
+// (std::type_identity_t: N and Y follow from the element alone.)
 template <int N, int Y>
 void scatter(const Element<N, Y>& e, const std::type_identity_t<Vecs<Y>>& f_y, VecX& f) {
   Vec3 net = Vec3::Zero();
@@ -67,6 +95,11 @@ void scatter(const Element<N, Y>& e, const std::type_identity_t<Vecs<Y>>& f_y, V
     net += f_i;
   }
   f.segment<3>(3 * e.vertices[0]) -= net;
+}
+
+template <int N>
+void scatter(const VertexElement<N>& e, const std::type_identity_t<Vecs<N>>& f_y, VecX& f) {
+  for (int i = 0; i < N; ++i) f.segment<3>(3 * e.vertices[i]) += f_y[i];
 }
 
 // |w|, and the direction n = ∂|w|/∂w of w. A thread that has collapsed to a point has no direction,

@@ -1,14 +1,27 @@
-// What a cloth has stored: elastic energy, and energy of height.
+// What a cloth has stored, elastic energy and energy of height, and the elastic force.
 #pragma once
 #include "math/cloth.h"
 
-// Σ k/2 C² over the elements of a family, handed term by term to add(term, J).
-template <class Family, class Add>
-void add_elastic_energy(const Family& family, const VecX& x, const Add& add) {
-  for (const auto& element : family.elements)
-    family.conditions(
-        element, gather(element, x),
-        [&](const Term& term, const auto& c, const auto&) { add(term, 0.5 * term.k * c.C * c.C); });
+// Σ k/2 C² over the conditions that `actor`, a family or one of its terms, has on these elements, J.
+// `energy` is the sum so far.
+template <class Actor, class Elements>
+void add_elastic_energy(const Actor& actor, const Elements& elements, const VecX& x,
+                        double& energy) {
+  for (const auto& element : elements)
+    actor.conditions(element, gather(element, x),
+                     [&](const Term& term, const auto& c) { energy += 0.5 * term.k * c.C * c.C; });
+}
+
+// f −= k C ∂C/∂y over the elements of a family, carried to the vertices: the force without damping, N.
+template <class Family>
+void add_elastic_forces(const Family& family, const VecX& x, VecX& f) {
+  for (const auto& element : family.elements) {
+    Vecs<Family::Y> f_y = zero_vectors<Family::Y>();
+    family.conditions(element, gather(element, x), [&](const Term& term, const auto& c) {
+      for (int m = 0; m < c.M; ++m) f_y[c.first + m] -= term.k * c.C * c.dCdy[m];
+    });
+    scatter(element, f_y, f);
+  }
 }
 
 // −Σ m g·x, J, zero at the origin.
@@ -23,7 +36,7 @@ inline double gravitational_energy(const Cloth& cloth, const VecX& x) {
 // The energy whose negative gradient is the force without damping, J.
 inline double potential_energy(const Cloth& cloth, const VecX& x) {
   double energy = gravitational_energy(cloth, x);
-  const auto add = [&](const Term&, double joule) { energy += joule; };
-  for_each_family(cloth, [&](const auto& family) { add_elastic_energy(family, x, add); });
+  for_each_family(
+      cloth, [&](const auto& family) { add_elastic_energy(family, family.elements, x, energy); });
   return energy;
 }

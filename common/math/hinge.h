@@ -1,200 +1,24 @@
-// Bending: the angle θ of a hinge and its two derivatives, in ten steps.
+// A hinge in a cloth: the angle θ as a condition, by Baraff & Witkin and by Bridson et al.
 //
-//          P2            A hinge is two triangles that share an edge: flap 0 = (P0, P1, P2) and
-//         ╱│╲            flap 1 = (P3, P2, P1), both counter-clockwise from the front.
-//       P0 │ P3
-//         ╲│╱            θ = 0 where it is flat. θ > 0 where P0 and P3 are folded back: a ridge,
-//          P1            seen from the front. Lifting P3 to the front makes θ negative: a valley.
-//
-// This sign stands here, in step 5, and nowhere else: the gradient of step 7 is that of this θ.
-//
-// Turned by half a turn a hinge is the same hinge, and flap 1 becomes flap 0. So every step but 5 is
-// written once, for a flap whose corners 0, 1, 2 are its own vertex and the ends of the edge. The
-// literature numbers by triangle and vertex: its d00, d01, d02 are d[0], d[1], d[2] of flap 0, and its
-// d13, d12, d11 those of flap 1; the same for the cosines c and the binormals m.
+// The k of a model, N·m, that gives a cloth the bending modulus B, N·m: bent to a cylinder of
+// curvature κ it stores B κ²/2 per area. It holds for square cells, vertices that lie on the cylinder,
+// and an axis along the grid. In other directions a cloth is up to three times as stiff, or half; free
+// to relax it is softer, a narrow strip by up to 1/3; and on cells a × b the dihedral model has
+// B = k a/b bent along a.
 #pragma once
 #include <numbers>
-#include <optional>
-#include <vector>
+#include <span>
 
-#include "math/bend_model.h"
-#include "math/block_matrix.h"
-#include "math/condition.h"
+#include "math/angle.h"
+#include "math/family.h"
 
-using Corners = std::array<double, 3>;  // a number at each corner of a flap
-
-// 1. Edges: v_ab = p_a − p_b, m, and their directions e_ab.
-struct Edges {
-  Vec3 v10, v20, v12;
-  Vec3 e10, e20, e12;
+// Its vectors y are its vertices P0, P1, P2, P3.
+struct Hinge : VertexElement<4> {
+  static constexpr std::string_view plural = "hinges";
+  double rest_angle = 0;  // θ0
+  double shape = 1;       // Bridson's c = |e|²/(|N0| + |N1|), from the rest shape
+  double theta = 0;       // θ of the last step, which may lie beyond ±π
 };
-
-inline Edges edges(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
-  const Vec3 v10 = p1 - p0, v20 = p2 - p0, v12 = p1 - p2;
-  return {v10, v20, v12, v10 / v10.norm(), v20 / v20.norm(), v12 / v12.norm()};
-}
-
-// 2. The cosine of the angle at each corner, and the normal, towards the front.
-inline Corners cosines(const Edges& e) {
-  return {e.e10.dot(e.e20), e.e10.dot(e.e12), -e.e20.dot(e.e12)};
-}
-inline Vec3 normal(const Edges& e) {
-  const Vec3 N = e.e12.cross(e.e10);
-  return N / N.norm();
-}
-
-// 3. Binormals: the unit vector in the flap from each corner to the opposite edge, square to it.
-inline Vecs<3> binormals(const Edges& e, const Vec3& n) {
-  return {-e.e12.cross(n), -e.e20.cross(n), e.e10.cross(n)};
-}
-
-// 4. Heights: how far each corner is from its opposite edge, m.
-inline Corners heights(const Edges& e, const Vecs<3>& m) {
-  return {m[0].dot(e.v10), -m[1].dot(e.v12), -m[2].dot(e.v20)};
-}
-
-struct Flap {
-  Edges e;
-  Corners c;  // cosines
-  Vec3 n;     // normal
-  Vecs<3> m;  // binormals
-  Corners d;  // m, heights
-};
-
-inline Flap make_flap(const Vec3& p0, const Vec3& p1, const Vec3& p2) {
-  Flap flap;
-  flap.e = edges(p0, p1, p2);
-  flap.c = cosines(flap.e);
-  flap.n = normal(flap.e);
-  flap.m = binormals(flap.e, flap.n);
-  flap.d = heights(flap.e, flap.m);
-  return flap;
-}
-
-// The two flaps of a hinge, and which vertices of it are their corners.
-using Fold = std::array<Flap, 2>;
-inline constexpr std::array<Face, 2> corners = {{{0, 1, 2}, {3, 2, 1}}};
-
-inline Fold make_fold(const Vecs<4>& p) {
-  return {make_flap(p[0], p[1], p[2]), make_flap(p[3], p[2], p[1])};
-}
-
-// 5. The angle from n0 to n1 about the edge, in [−π, π]: cos θ = n0·n1 and, because m00 completes n0
-// and the edge to a frame, sin θ = n1·m00.
-inline double angle(const Fold& fold) {
-  const auto& [flap0, flap1] = fold;
-  return std::atan2(flap1.n.dot(flap0.m[0]), flap0.n.dot(flap1.n));
-}
-
-// 6. ∂n/∂x_j = m_j nᵀ/d_j: only moving a corner along n tilts the flap, about the opposite edge and
-// the more the lower the flap; n leans towards that edge.
-inline std::array<Mat3, 3> normal_gradients(const Flap& f) {
-  std::array<Mat3, 3> dndx;
-  for (int j = 0; j < 3; ++j) dndx[j] = f.m[j] * f.n.transpose() / f.d[j];
-  return dndx;
-}
-
-// 7. ∂θ/∂x_i = a_i n, the sum over the flaps that have vertex i. The levers a_i, 1/m, are
-//
-//   a_0 = −1/d_0,   a_1 = c_2/d_1,   a_2 = c_1/d_2
-//
-// Corner 0 turns its flap about the edge. What it pushes, the ends of the edge hold, each by its share
-// of the lever, so that there is no net force: a_0 + a_1 + a_2 = 0; and no net torque.
-inline Corners levers(const Flap& f) {
-  return {-1 / f.d[0], f.c[2] / f.d[1], f.c[1] / f.d[2]};
-}
-
-inline Vecs<4> angle_gradient(const Fold& fold) {
-  Vecs<4> gradient = zero_vectors<4>();
-  for (int flap = 0; flap < 2; ++flap) {
-    const Corners a = levers(fold[flap]);
-    for (int i = 0; i < 3; ++i) gradient[corners[flap][i]] += a[i] * fold[flap].n;
-  }
-  return gradient;
-}
-
-// 8. ∂d_i/∂x_j. Corner i changes its height against m_i; the other two, j, turn the opposite edge and
-// share the change by where the foot of the height lies: d_i c_k/d_j, with k the third corner.
-inline Vecs<3> height_gradients(const Flap& f, int i) {
-  Vecs<3> dddx;
-  for (int j = 0; j < 3; ++j) dddx[j] = (j == i ? -1 : f.d[i] * f.c[3 - i - j] / f.d[j]) * f.m[i];
-  return dddx;
-}
-
-// 9. ∂c_i/∂x_j = −(d_j/|v_ij|²) m_k: moving j towards the edge ij opens the angle at i; sin α_i is
-// d_j/|v_ij|, and one more |v_ij| is the lever. Corner i itself undoes what the other two do.
-inline Vecs<3> cosine_gradients(const Flap& f, int i) {
-  const Corners squares = {f.e.v12.squaredNorm(), f.e.v20.squaredNorm(), f.e.v10.squaredNorm()};
-  const int j = (i + 1) % 3, k = (i + 2) % 3;
-  Vecs<3> dcdx;
-  dcdx[j] = -f.d[j] / squares[k] * f.m[k];
-  dcdx[k] = -f.d[k] / squares[j] * f.m[j];
-  dcdx[i] = -dcdx[j] - dcdx[k];
-  return dcdx;
-}
-
-// 10. ∂²θ/∂x_i∂x_j = n (∂a_i/∂x_j)ᵀ + a_i ∂n/∂x_j, the sum over the flaps. With the levers written as
-// b_i/d_i, b = (−1, c_2, c_1):   ∂a_i/∂x_j = (∂b_i/∂x_j − a_i ∂d_i/∂x_j)/d_i
-inline std::array<Vecs<3>, 3> lever_gradients(const Flap& f, const Corners& a) {
-  const std::array<Vecs<3>, 3> dbdx = {zero_vectors<3>(), cosine_gradients(f, 2),
-                                       cosine_gradients(f, 1)};
-  std::array<Vecs<3>, 3> dadx;
-  for (int i = 0; i < 3; ++i) {
-    const Vecs<3> dddx = height_gradients(f, i);
-    for (int j = 0; j < 3; ++j) dadx[i][j] = (dbdx[i][j] - a[i] * dddx[j]) / f.d[i];
-  }
-  return dadx;
-}
-
-inline Mats<4> angle_second(const Fold& fold) {
-  Mats<4> second = zero_matrices<4>();
-  for (int flap = 0; flap < 2; ++flap) {
-    const Flap& f = fold[flap];
-    const Corners a = levers(f);
-    const std::array<Vecs<3>, 3> dadx = lever_gradients(f, a);
-    const std::array<Mat3, 3> dndx = normal_gradients(f);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        second[corners[flap][i]][corners[flap][j]] += f.n * dadx[i][j].transpose() + a[i] * dndx[j];
-  }
-  return second;
-}
-
-// A flap lower than this, m, is a line: thinner than a fibre. A line has no normal, and the levers of
-// one that is almost a line grow without bound.
-constexpr double lowest_flap = 1e-6;
-
-// False also for the not-a-numbers of an edge without length.
-inline bool has_angle(const Fold& fold) {
-  for (const Flap& f : fold)
-    for (const double d : f.d)
-      if (!(d > lowest_flap)) return false;
-  return true;
-}
-
-// A hinge in a cloth. Its vectors y are its vertices, as seen from P0: moving all of it changes
-// nothing, and far from the origin the edges stay exact.
-struct Hinge {
-  std::array<int, 4> vertices;  // P0, P1, P2, P3
-  double rest_angle = 0;        // θ0
-  double shape = 1;             // Bridson's c = |e|²/(|N0| + |N1|), from the rest shape
-  double theta = 0;             // θ of the last step, which may lie beyond ±π
-};
-
-inline Vecs<4> gather(const Hinge& hinge, const VecX& x) {
-  const Vec3 x0 = x.segment<3>(3 * hinge.vertices[0]);
-  Vecs<4> y;
-  for (int i = 0; i < 4; ++i) y[i] = x.segment<3>(3 * hinge.vertices[i]) - x0;
-  return y;
-}
-
-inline void scatter(const Hinge& hinge, const Vecs<4>& f_y, VecX& f) {
-  for (int i = 0; i < 4; ++i) f.segment<3>(3 * hinge.vertices[i]) += f_y[i];
-}
-
-inline void scatter(const Hinge& hinge, const Mats<4>& A_y, const Slots<4>& slots, BlockMatrix& A) {
-  add_blocks(hinge.vertices, A_y, slots, A);
-}
 
 // θ beyond ±π: of the angles that look alike, a full turn apart, the one next to that of the last
 // step. So a fold that is swept through π neither loses its energy nor turns its force. A fold without
@@ -204,59 +28,88 @@ inline double angle(const Hinge& hinge, const Fold& fold) {
   return hinge.theta + std::remainder(angle(fold) - hinge.theta, 2 * std::numbers::pi);
 }
 
-// Bend (Baraff & Witkin):  C = θ − θ0,  k in N·m.  Not convex.
-inline Condition<4> dihedral(const Hinge& hinge, const Fold& fold) {
-  return {angle(hinge, fold) - hinge.rest_angle, angle_gradient(fold)};
+// The hinges remember their folds. To be called with the x that a time step starts from.
+inline void follow(std::span<Hinge> hinges, const VecX& x) {
+  for (Hinge& hinge : hinges) hinge.theta = angle(hinge, make_fold(gather(hinge, x)));
 }
 
-// Bend (Bridson et al.), with φ = (θ − θ0)/4:
+// θ of a hinge with both derivatives. A fold that has no angle keeps the energy of the last θ and has
+// no force.
+struct Angle {
+  Angle(const Hinge& hinge, const Vecs<4>& p)
+      : fold(make_fold(p)), exists(has_angle(fold)), value(angle(hinge, fold)),
+        gradient(exists ? angle_gradient(fold) : zero_vectors<4>()) {}
+  Mats<4> second() const { return exists ? angle_second(fold) : zero_matrices<4>(); }
+
+  Fold fold;
+  bool exists;
+  double value;
+  Vecs<4> gradient;
+};
+
+// Bend (Baraff & Witkin):  C = θ − θ0.  Not convex.
+struct Dihedral : Condition<4> {
+  Dihedral(const Hinge& hinge, const Vecs<4>& p) : theta(hinge, p) {
+    C = theta.value - hinge.rest_angle;
+    dCdy = theta.gradient;
+  }
+
+  Mats<4> second() const { return theta.second(); }
+
+  Angle theta;
+};
+
+// Bend (Bridson et al.), with φ = (θ − θ0)/4 and s = √(8c):
 //
-//   C = √(8c) sin φ,   ∂C/∂x = √(8c)/4 cos φ ∂θ/∂x,   f = −k c sin((θ − θ0)/2) ∂θ/∂x
+//   C = s sin φ,   ∂C/∂x = s/4 cos φ ∂θ/∂x,   f = −k c sin((θ − θ0)/2) ∂θ/∂x
 //
 // For θ0 = 0 that is their force k c sin(θ/2) u_i, u_i = −∂θ/∂x_i. For others they take
 // sin(θ/2) − sin(θ0/2), which is zero at θ0 as well but there cos(θ0/2) times as stiff. c is
 // frozen at rest; with that of the moment the force would have no energy, and K no symmetry.
-inline Condition<4> bridson(const Hinge& hinge, const Fold& fold) {
-  const double phi = (angle(hinge, fold) - hinge.rest_angle) / 4, s = std::sqrt(8 * hinge.shape);
-  Vecs<4> dCdx = angle_gradient(fold);
-  for (Vec3& g : dCdx) g *= s / 4 * std::cos(phi);
-  return {s * std::sin(phi), dCdx};
-}
-
-// ∂²C/∂x_i∂x_j = √(8c)/4 (cos φ ∂²θ/∂x_i∂x_j − sin φ/4 ∂θ/∂x_i ∂θ/∂x_jᵀ)
-inline Mats<4> bridson_second(const Hinge& hinge, const Fold& fold) {
-  const double phi = (angle(hinge, fold) - hinge.rest_angle) / 4, s = std::sqrt(8 * hinge.shape);
-  const Vecs<4> g = angle_gradient(fold);
-  Mats<4> second = angle_second(fold);
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      second[i][j] =
-          s / 4 * std::cos(phi) * second[i][j] - s / 16 * std::sin(phi) * g[i] * g[j].transpose();
-  return second;
-}
-
-// The hinges of a cloth, which remember their folds.
-struct Hinges {
-  static constexpr int N = 4, Y = 4;
-  std::vector<Hinge> elements;
-  std::optional<Term> bend;
-  BendModel model = BendModel::dihedral;  // or bridson
-
-  // To be called with the x that a time step starts from.
-  void follow(const VecX& x) {
-    for (Hinge& hinge : elements) hinge.theta = angle(hinge, make_fold(gather(hinge, x)));
+struct Bridson : Condition<4> {
+  Bridson(const Hinge& hinge, const Vecs<4>& p)
+      : theta(hinge, p), phi((theta.value - hinge.rest_angle) / 4), s(std::sqrt(8 * hinge.shape)) {
+    C = s * std::sin(phi);
+    for (int i = 0; i < 4; ++i) dCdy[i] = theta.gradient[i] * (s / 4 * std::cos(phi));
   }
 
+  // ∂²C/∂x_i∂x_j = s/4 (cos φ ∂²θ/∂x_i∂x_j − sin φ/4 ∂θ/∂x_i ∂θ/∂x_jᵀ)
+  Mats<4> second() const {
+    Mats<4> H = theta.second();
+    const Vecs<4>& g = theta.gradient;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        H[i][j] =
+            s / 4 * std::cos(phi) * H[i][j] - s / 16 * std::sin(phi) * g[i] * g[j].transpose();
+    return H;
+  }
+
+  Angle theta;
+  double phi, s;
+};
+
+// [bend] model = "dihedral"
+struct DihedralBend : Term {
+  using Term::Term;
+  static constexpr TermInfo info = {
+      .table = "bend", .model = "dihedral", .first_step = 5, .units = newton_metre};
+  static double k_of_modulus(double B) { return B; }
+
   template <class Act>
-  void conditions(const Hinge& hinge, const Vecs<4>& y, const Act& act) const {
-    if (!bend) return;
-    const bool sine = model == BendModel::bridson;
-    const Fold fold = make_fold(y);
-    Condition<4> c = sine ? bridson(hinge, fold) : dihedral(hinge, fold);
-    if (!has_angle(fold)) c.dCdy = zero_vectors<4>();  // it keeps its energy, and has no force
-    act(*bend, c, [&] {
-      if (!has_angle(fold)) return zero_matrices<4>();
-      return sine ? bridson_second(hinge, fold) : angle_second(fold);
-    });
+  void conditions(const Hinge& hinge, const Vecs<4>& p, const Act& act) const {
+    act(*this, Dihedral(hinge, p));
+  }
+};
+
+// [bend] model = "bridson"
+struct BridsonBend : Term {
+  using Term::Term;
+  static constexpr TermInfo info = {
+      .table = "bend", .model = "bridson", .first_step = 5, .units = newton_metre};
+  static double k_of_modulus(double B) { return 4 * B; }
+
+  template <class Act>
+  void conditions(const Hinge& hinge, const Vecs<4>& p, const Act& act) const {
+    act(*this, Bridson(hinge, p));
   }
 };

@@ -19,8 +19,8 @@ void IncompleteCholesky::set(const BlockMatrix& A) {
     U.diagonal = A.diagonal;
     U.upper = A.upper;
     for (Mat3& block : U.diagonal) block *= 1 + shift;
-    pinned.cut(U);
-    pinned.close(U);
+    pinned.project(U);
+    pinned.make_regular(U);
     if (factorise()) return;
   }
   // A is far from definite. With T = I conjugate gradients find that out for themselves.

@@ -1,17 +1,24 @@
 // The choices that the implicit steps offer; a step reads those that it has the concept of.
 #pragma once
 #include <string>
+#include <vector>
+
+#include "math/counters.h"
 
 // Which part of (k C + kd Ċ) ∂²C/∂x² stands in the matrix: all of it, as Baraff & Witkin print it, or
 // only what keeps the matrix positive definite, max(k C, 0) ∂²C/∂x² of convex conditions.
 enum class Jacobian { definite, bw98 };
 
+inline const std::vector<std::string> solver_names = {"ldlt", "inverse", "cholmod"};
+inline const std::vector<std::string> preconditioner_names = {"none", "jacobi", "block", "ic",
+                                                              "multigrid"};
+
 struct Method {
   Jacobian jacobian = Jacobian::definite;
   int newton = 1;               // Newton iterations per step at most; 1 is the plain step
-  std::string solver = "ldlt";  // or "inverse", "cholmod"
+  std::string solver = "ldlt";  // one of solver_names
 
-  std::string preconditioner = "block";  // or "none", "jacobi", "ic", "multigrid"
-  double tolerance = 1e-4;               // of conjugate gradients: √(rᵀ T r) / |Δv|_M
+  std::string preconditioner = "block";  // one of preconditioner_names
+  double tolerance = 1e-4;               // of conjugate gradients: √(rᵀ P⁻¹ r) / |Δv|_M
   int max_iterations = 10000;            // in one system
 };

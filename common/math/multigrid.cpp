@@ -43,7 +43,7 @@ Mat3 range(const Mat3& sum) {
   return onto;
 }
 
-// A coarse vertex is left free what any of the fine vertices around it is.
+// A coarse vertex may move in every direction in which one of its fine children may.
 std::vector<Pin> coarse_pins(const std::vector<Pin>& pins,
                              const std::vector<std::vector<Parent>>& parents, int coarse) {
   std::vector<Mat3> free(parents.size(), Mat3::Identity());
@@ -99,8 +99,7 @@ Multigrid::Level::Level(const BlockMatrix& pattern, const std::vector<Pin>& pins
     : A(pattern), pinned(pattern, pins), inverse(pattern.diagonal),
       r(VecX::Zero(3 * pattern.rows())), s(r), t(r) {}
 
-// From the last level to the next: that has a block for every two vertices that are parents of
-// neighbours.
+// The pattern of the next level: a block for every two vertices that are parents of neighbours.
 BlockMatrix Multigrid::map_to_coarse(const Grid& grid) {
   Level& fine = levels.back();
   const BlockMatrix& A = fine.A;
@@ -126,38 +125,39 @@ BlockMatrix Multigrid::map_to_coarse(const Grid& grid) {
   BlockMatrix coarse = make_block_matrix(half(grid).vertices(), std::move(pairs));
 
   const auto place = [&](int I, int J) { return I == J ? I : coarse.rows() + coarse.slot(I, J); };
-  // Of the blocks (I, J) and (J, I) that come of (i, j) and its mirror image (j, i), the upper one; on
-  // the diagonal both.
+  // Only upper blocks are stored: (i, j) adds to (I, J) where I < J, else its transpose adds to (J, I).
+  // A diagonal block gets both.
   for_each_block([&](int i, int j) {
-    fine.share_start.push_back(int(fine.shares.size()));
+    fine.contribution_start.push_back(int(fine.contributions.size()));
     for_each_pair(i, j, [&](const Parent& I, const Parent& J) {
       const double weight = I.weight * J.weight;
-      if (I.vertex <= J.vertex) fine.shares.push_back({place(I.vertex, J.vertex), false, weight});
+      if (I.vertex <= J.vertex)
+        fine.contributions.push_back({place(I.vertex, J.vertex), false, weight});
       if (i != j && J.vertex <= I.vertex)
-        fine.shares.push_back({place(J.vertex, I.vertex), true, weight});
+        fine.contributions.push_back({place(J.vertex, I.vertex), true, weight});
     });
   });
-  fine.share_start.push_back(int(fine.shares.size()));
+  fine.contribution_start.push_back(int(fine.contributions.size()));
   return coarse;
 }
 
 void Multigrid::coarsen(const Level& fine, BlockMatrix& coarse) {
   coarse.set_zero();
   const size_t rows = size_t(coarse.rows());
-  const auto hand_on = [&](size_t block, const Mat3& B) {
-    for (int n = fine.share_start[block]; n < fine.share_start[block + 1]; ++n) {
-      const Share& share = fine.shares[n];
-      const size_t to = size_t(share.block);
+  const auto add_to_coarse = [&](size_t block, const Mat3& B) {
+    for (int n = fine.contribution_start[block]; n < fine.contribution_start[block + 1]; ++n) {
+      const Contribution& contribution = fine.contributions[n];
+      const size_t to = size_t(contribution.block);
       Mat3& C = to < rows ? coarse.diagonal[to] : coarse.upper[to - rows];
-      if (share.transposed)
-        C += share.weight * B.transpose();
+      if (contribution.transposed)
+        C += contribution.weight * B.transpose();
       else
-        C += share.weight * B;
+        C += contribution.weight * B;
     }
   };
   const size_t diagonals = fine.A.diagonal.size();
-  for (size_t i = 0; i < diagonals; ++i) hand_on(i, fine.A.diagonal[i]);
-  for (size_t s = 0; s < fine.A.upper.size(); ++s) hand_on(diagonals + s, fine.A.upper[s]);
+  for (size_t i = 0; i < diagonals; ++i) add_to_coarse(i, fine.A.diagonal[i]);
+  for (size_t s = 0; s < fine.A.upper.size(); ++s) add_to_coarse(diagonals + s, fine.A.upper[s]);
 }
 
 void Multigrid::set(const BlockMatrix& A) {
@@ -165,9 +165,9 @@ void Multigrid::set(const BlockMatrix& A) {
   levels[0].A.upper = A.upper;
   for (size_t number = 0; number < levels.size(); ++number) {
     Level& level = levels[number];
-    level.pinned.cut(level.A);
+    level.pinned.project(level.A);
     if (number + 1 < levels.size()) coarsen(level, levels[number + 1].A);
-    level.pinned.close(level.A);
+    level.pinned.make_regular(level.A);
     for (size_t i = 0; i < level.inverse.size(); ++i)
       level.inverse[i] = level.A.diagonal[i].inverse();
   }
@@ -178,7 +178,7 @@ void Multigrid::set(const BlockMatrix& A) {
     for (int s = last.row_start[i]; s < last.row_start[i + 1]; ++s)
       dense.block<3, 3>(3 * last.column[s], 3 * i) = last.upper[s].transpose();
   }
-  // Pins can hold all that P makes of a coarse zigzag: a little keeps it from a zero pivot.
+  // Pins can hold everything that P makes of a coarse zigzag. This small number prevents a zero pivot.
   dense.diagonal().array() += 1e-12 * dense.diagonal().maxCoeff();
   coarsest.compute(dense);
 }
@@ -191,50 +191,67 @@ void Multigrid::apply(const VecX& r, VecX& s) {
 
 void Multigrid::cycle(size_t number) {
   Level& level = levels[number];
-  const BlockMatrix& A = level.A;
-  VecX &r = level.r, &s = level.s, &t = level.t;
-  if (number + 1 == levels.size()) {
-    s = r;
-    coarsest.solveInPlace(s);
-    return;
-  }
+  if (number + 1 == levels.size()) return solve_densely(level);
+  Level& coarse = levels[number + 1];
+  smooth_forwards(level);
+  restrict_residual(level, coarse);
+  cycle(number + 1);
+  interpolate(coarse, level);
+  smooth_backwards(level);
+}
 
-  // Forwards: (Δ + L) s = r. Row i gives its s to the later rows, whose t is what they have left.
-  t = r;
+void Multigrid::solve_densely(Level& level) const {
+  level.s = level.r;
+  coarsest.solveInPlace(level.s);
+}
+
+// Row i hands its s to the later rows: t is what each row still has to explain.
+void Multigrid::smooth_forwards(Level& level) {
+  const BlockMatrix& A = level.A;
+  VecX &s = level.s, &t = level.t;
+  t = level.r;
   for (int i = 0; i < A.rows(); ++i) {
     const Vec3 s_i = level.inverse[i] * t.segment<3>(3 * i);
     s.segment<3>(3 * i) = s_i;
     for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
       t.segment<3>(3 * A.column[k]) -= A.upper[k].transpose() * s_i;
   }
+}
 
-  // What is left then is r − A s = −Lᵀ s. Its share of the coarse grid, and the correction from there.
-  Level& coarse = levels[number + 1];
+// After smoothing forwards from zero r − A s = −Lᵀ s.
+void Multigrid::restrict_residual(const Level& fine, Level& coarse) {
+  const BlockMatrix& A = fine.A;
   coarse.r.setZero();
   for (int i = 0; i < A.rows(); ++i) {
-    Vec3 left = Vec3::Zero();
+    Vec3 residual = Vec3::Zero();
     for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-      left -= A.upper[k] * s.segment<3>(3 * A.column[k]);
-    for (const auto& [parent, weight] : level.parents[i])
-      coarse.r.segment<3>(3 * parent) += weight * left;
+      residual -= A.upper[k] * fine.s.segment<3>(3 * A.column[k]);
+    for (const auto& [parent, weight] : fine.parents[i])
+      coarse.r.segment<3>(3 * parent) += weight * residual;
   }
-  cycle(number + 1);
-  for (int i = 0; i < A.rows(); ++i)
-    for (const auto& [parent, weight] : level.parents[i])
-      s.segment<3>(3 * i) += weight * coarse.s.segment<3>(3 * parent);
+}
 
-  // Backwards: (Δ + Lᵀ) s_new = r − L s.
-  t = r;
+void Multigrid::interpolate(const Level& coarse, Level& fine) {
+  for (int i = 0; i < fine.A.rows(); ++i)
+    for (const auto& [parent, weight] : fine.parents[i])
+      fine.s.segment<3>(3 * i) += weight * coarse.s.segment<3>(3 * parent);
+}
+
+// s ← s + (Δ + Lᵀ)⁻¹ (r − A s), that is (Δ + Lᵀ) s_new = r − L s.
+void Multigrid::smooth_backwards(Level& level) {
+  const BlockMatrix& A = level.A;
+  VecX &s = level.s, &t = level.t;
+  t = level.r;
   for (int i = 0; i < A.rows(); ++i) {
     const Vec3 s_i = s.segment<3>(3 * i);
     for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
       t.segment<3>(3 * A.column[k]) -= A.upper[k].transpose() * s_i;
   }
   for (int i = A.rows() - 1; i >= 0; --i) {
-    Vec3 left = t.segment<3>(3 * i);
+    Vec3 residual = t.segment<3>(3 * i);
     for (int k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-      left -= A.upper[k] * s.segment<3>(3 * A.column[k]);
-    s.segment<3>(3 * i) = level.inverse[i] * left;
+      residual -= A.upper[k] * s.segment<3>(3 * A.column[k]);
+    s.segment<3>(3 * i) = level.inverse[i] * residual;
   }
 }
 
@@ -243,7 +260,8 @@ size_t Multigrid::bytes() const {
   for (const Level& level : levels) {
     sum += sizeof(Mat3) * (2 * level.A.diagonal.size() + level.A.upper.size());
     sum += sizeof(int) * (level.A.row_start.size() + level.A.column.size());
-    sum += sizeof(Share) * level.shares.size() + sizeof(int) * level.share_start.size();
+    sum += sizeof(Contribution) * level.contributions.size() +
+           sizeof(int) * level.contribution_start.size();
     for (const auto& parents : level.parents)
       sum += sizeof(parents) + sizeof(Parent) * parents.size();
     sum += 3 * sizeof(double) * size_t(level.r.size());

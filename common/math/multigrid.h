@@ -37,7 +37,7 @@ class Multigrid : public Preconditioner {
 
  private:
   // A block of a level in the next coarser one: A_c[block] += weight B or its transpose.
-  struct Share {
+  struct Contribution {
     int block;  // a diagonal one, or rows + an upper one
     bool transposed;
     double weight;
@@ -50,13 +50,19 @@ class Multigrid : public Preconditioner {
     std::vector<Mat3> inverse;  // of the diagonal blocks
     VecX r, s, t;
     std::vector<std::vector<Parent>> parents;
-    std::vector<Share> shares;     // of all blocks, diagonal ones first
-    std::vector<int> share_start;  // of each block
+    std::vector<Contribution> contributions;  // of all blocks, diagonal ones first
+    std::vector<int> contribution_start;      // of each block
   };
 
   BlockMatrix map_to_coarse(const Grid& fine);
   static void coarsen(const Level& fine, BlockMatrix& coarse);
+
   void cycle(size_t level);
+  void solve_densely(Level&) const;
+  static void smooth_forwards(Level&);                              // s = (Δ + L)⁻¹ r
+  static void restrict_residual(const Level& fine, Level& coarse);  // r_c = Pᵀ (r − A s)
+  static void interpolate(const Level& coarse, Level& fine);        // s += P s_c
+  static void smooth_backwards(Level&);  // s += (Δ + Lᵀ)⁻¹ (r − A s)
 
   std::vector<Level> levels;  // the finest first
   Eigen::MatrixXd dense;

@@ -10,14 +10,34 @@ inline BlockMatrix make_block_matrix(const Cloth& cloth) {
   return make_block_matrix(cloth.vertices(), std::move(pairs));
 }
 
-// The blocks of every element, family by family.
-struct ClothSlots {
-  ClothSlots(const Cloth& cloth, const BlockMatrix& pattern)
-      : triangles(find_slots(cloth.triangles, pattern)),
-        springs(find_slots(cloth.springs, pattern)), hinges(find_slots(cloth.hinges, pattern)),
-        quadratic_hinges(find_slots(cloth.quadratic_hinges, pattern)) {}
+// The blocks of every element, found by the family that it belongs to.
+template <class Family>
+struct FamilySlots {
+  std::vector<Slots<Family::N>> slots;
+};
 
-  std::vector<Slots<3>> triangles;
-  std::vector<Slots<2>> springs;
-  std::vector<Slots<4>> hinges, quadratic_hinges;
+struct ClothSlots : FamilySlots<Triangles>,
+                    FamilySlots<Springs>,
+                    FamilySlots<Hinges>,
+                    FamilySlots<QuadraticHinges>,
+                    FamilySlots<BendSprings> {
+  ClothSlots(const Cloth& cloth, const BlockMatrix& pattern) {
+    for_each_family(cloth, [&](const auto& family) { of(family) = find_slots(family, pattern); });
+  }
+
+  template <class Family>
+  std::vector<Slots<Family::N>>& of(const Family&) {
+    return FamilySlots<Family>::slots;
+  }
+
+  size_t bytes() const {
+    return (bytes_of<Triangles>() + bytes_of<Springs>() + bytes_of<Hinges>() +
+            bytes_of<QuadraticHinges>() + bytes_of<BendSprings>());
+  }
+
+ private:
+  template <class Family>
+  size_t bytes_of() const {
+    return sizeof(Slots<Family::N>) * FamilySlots<Family>::slots.size();
+  }
 };

@@ -11,12 +11,12 @@ PinnedBlocks::PinnedBlocks(const BlockMatrix& pattern, const std::vector<Pin>& p
     }
 }
 
-void PinnedBlocks::cut(BlockMatrix& A) const {
+void PinnedBlocks::project(BlockMatrix& A) const {
   for (const Pin& pin : pins) A.diagonal[pin.vertex] = pin.S * A.diagonal[pin.vertex] * pin.S;
   for (const auto& [slot, pin] : left) A.upper[slot] = pins[pin].S * A.upper[slot];
   for (const auto& [slot, pin] : right) A.upper[slot] = A.upper[slot] * pins[pin].S;
 }
 
-void PinnedBlocks::close(BlockMatrix& A) const {
+void PinnedBlocks::make_regular(BlockMatrix& A) const {
   for (const Pin& pin : pins) A.diagonal[pin.vertex] += Mat3::Identity() - pin.S;
 }

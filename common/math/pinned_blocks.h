@@ -7,8 +7,8 @@ class PinnedBlocks {
  public:
   PinnedBlocks(const BlockMatrix& pattern, const std::vector<Pin>& pins);
 
-  void cut(BlockMatrix& A) const;    // A ← S A S, where S is the identity but at the pins
-  void close(BlockMatrix& A) const;  // A ← A + I − S: definite again
+  void project(BlockMatrix& A) const;       // A ← S A S, where S is the identity but at the pins
+  void make_regular(BlockMatrix& A) const;  // A ← A + I − S: definite again
 
  private:
   struct Side {

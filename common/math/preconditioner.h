@@ -1,6 +1,6 @@
-// Preconditioners for conjugate gradients: s = T r with a symmetric positive definite T that is near
-// A⁻¹ and cheap. Each divides by an approximation of A; all but Jacobi's, which knows no oblique
-// direction, divide by one where pins hold, so that T maps what the pins leave free onto itself.
+// Preconditioners for conjugate gradients: s = P⁻¹ r with a symmetric positive definite P that is near
+// A and cheap to divide by. All but Jacobi's, which knows no oblique direction, divide by one where
+// pins hold, so that P⁻¹ maps the directions that the pins leave free onto themselves.
 #pragma once
 #include <memory>
 #include <optional>
@@ -15,7 +15,7 @@ class Preconditioner {
   virtual ~Preconditioner() = default;
 
   virtual void set(const BlockMatrix& A) = 0;      // before the solves with A
-  virtual void apply(const VecX& r, VecX& s) = 0;  // s = T r
+  virtual void apply(const VecX& r, VecX& s) = 0;  // s = P⁻¹ r
 };
 
 // "none": one number, "jacobi": the diagonal of A, "block": its 3 × 3 diagonal blocks, "ic": incomplete_cholesky.h,

@@ -12,12 +12,10 @@
 // that are flat, and for cloth that hardly stretches: whatever bends the hinge's own edges in the plane
 // costs energy, too.
 #pragma once
-#include <optional>
-#include <vector>
-
-#include "math/condition.h"
+#include "math/family.h"
 
 struct QuadraticHinge : Element<4, 1> {
+  static constexpr std::string_view plural = "hinges";
   double sqrt_weight;  // 1/m, √(3/(A0 + A1))
 };
 
@@ -49,18 +47,30 @@ inline QuadraticHinge make_quadratic_hinge(const std::array<int, 4>& vertices,
   return hinge;
 }
 
-struct QuadraticHinges {
-  static constexpr int N = 4, Y = 1;
-  std::vector<QuadraticHinge> elements;
-  std::optional<Term> bend;
+// One of three conditions:  C = √(3/(A0 + A1)) y along an axis. It is linear, so ∂²C/∂y² = 0.
+struct Flatness : Condition<1> {
+  static constexpr bool convex = true;
 
-  // Three conditions, C = √(3/(A0 + A1)) y along each axis. The second derivatives are zero.
+  Flatness(const QuadraticHinge& hinge, const Vecs<1>& y, int axis) {
+    dCdy = {hinge.sqrt_weight * Vec3::Unit(axis)};
+    C = dCdy[0].dot(y[0]);
+  }
+
+  Mats<1> second() const { return zero_matrices<1>(); }
+};
+
+// [bend] model = "quadratic"
+struct QuadraticBend : Term {
+  using Term::Term;
+  static constexpr TermInfo info = {.table = "bend",
+                                    .model = "quadratic",
+                                    .first_step = 5,
+                                    .units = newton_metre,
+                                    .rests_flat = true};
+  static double k_of_modulus(double B) { return B / 3; }
+
   template <class Act>
   void conditions(const QuadraticHinge& hinge, const Vecs<1>& y, const Act& act) const {
-    if (!bend) return;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vec3 dCdy = hinge.sqrt_weight * Vec3::Unit(axis);
-      act(*bend, Condition<1>{dCdy.dot(y[0]), {dCdy}, 0, true}, [] { return zero_matrices<1>(); });
-    }
+    for (int axis = 0; axis < 3; ++axis) act(*this, Flatness(hinge, y, axis));
   }
 };

@@ -1,12 +1,10 @@
 // A spring between two vertices: the smallest condition, and the cloth of mass-spring models.
 #pragma once
-#include <optional>
-#include <vector>
-
-#include "math/condition.h"
+#include "math/family.h"
 
 // y = x_0 − x_1, the only vector that a spring reads.
 struct Spring : Element<2, 1> {
+  static constexpr std::string_view plural = "springs";
   double rest_length;     // m
   double sqrt_share = 1;  // √s, where s k is the stiffness of this spring
 };
@@ -21,24 +19,41 @@ inline Spring make_spring(int i, int j, double rest_length, double share = 1) {
 }
 
 //   C = √s (|y| − L),   ∂C/∂y = √s n,   n = y/|y|,   E = s k/2 (|y| − L)²
-inline Condition<1> elongation(const Spring& s, const Vec3& y) {
-  const Length length(y);
-  return {s.sqrt_share * (length.value - s.rest_length), {s.sqrt_share * length.n}, 0, true};
-}
+struct Elongation : Condition<1> {
+  static constexpr bool convex = true;
 
-// ∂²C/∂y² = √s (I − n nᵀ)/|y|
-inline Mats<1> elongation_second(const Spring& s, const Vec3& y) {
-  return {{{s.sqrt_share * Length(y).second_derivative()}}};
-}
+  Elongation(const Spring& s, const Vec3& y) : sqrt_share(s.sqrt_share), length(y) {
+    C = sqrt_share * (length.value - s.rest_length);
+    dCdy = {sqrt_share * length.n};
+  }
 
-// The springs of a cloth.
-struct Springs {
-  static constexpr int N = 2, Y = 1;
-  std::vector<Spring> elements;
-  std::optional<Term> spring;
+  // ∂²C/∂y² = √s (I − n nᵀ)/|y|
+  Mats<1> second() const { return {{{sqrt_share * length.second_derivative()}}}; }
+
+  double sqrt_share;
+  Length length;
+};
+
+// The springs that are the cloth itself. Code builds them; no scene names them.
+struct SpringTerm : Term {
+  using Term::Term;
+  static constexpr TermInfo info = {.table = "spring", .first_step = 0};
 
   template <class Act>
   void conditions(const Spring& s, const Vecs<1>& y, const Act& act) const {
-    if (spring) act(*spring, elongation(s, y[0]), [&] { return elongation_second(s, y[0]); });
+    act(*this, Elongation(s, y[0]));
+  }
+};
+
+// [bend] model = "springs": between opposite vertices of two triangles, with hardly any resistance to
+// small folds. They have no bending modulus: their energy grows with κ⁴.
+struct SpringBend : Term {
+  using Term::Term;
+  static constexpr TermInfo info = {
+      .table = "bend", .model = "springs", .first_step = 5, .rests_flat = true};
+
+  template <class Act>
+  void conditions(const Spring& s, const Vecs<1>& y, const Act& act) const {
+    act(*this, Elongation(s, y[0]));
   }
 };

@@ -5,12 +5,10 @@
 //
 // |w| is the stretch of a thread: 1 at rest, 1.05 when it is 5 % longer.
 #pragma once
-#include <optional>
-#include <vector>
-
-#include "math/condition.h"
+#include "math/family.h"
 
 struct Triangle : Element<3, 2> {
+  static constexpr std::string_view plural = "triangles";
   double area;       // m², at rest
   double sqrt_area;  // m
 };
@@ -36,43 +34,61 @@ inline Triangle make_triangle(const Face& vertices, const Vec2& uv0, const Vec2&
 //
 // BW98 weighs by the area a. With √a the energy k/2 C² is proportional to the area, so that k is
 // the stiffness of the cloth in N/m and means the same on every mesh.
-inline Condition<1> stretch(const Triangle& t, const Vecs<2>& w, int m, double b = 1) {
-  const Length length(w[m]);
-  return {t.sqrt_area * (length.value - b), {t.sqrt_area * length.n}, m, true};
-}
+struct Stretch : Condition<1> {
+  static constexpr bool convex = true;
 
-// ∂²C/∂w² = √a (I − n nᵀ)/|w|: only turning the thread changes n, and the shorter it is the more.
-inline Mats<1> stretch_second(const Triangle& t, const Vecs<2>& w, int m) {
-  return {{{t.sqrt_area * Length(w[m]).second_derivative()}}};
-}
+  Stretch(const Triangle& t, const Vecs<2>& w, int m, double b = 1)
+      : sqrt_area(t.sqrt_area), length(w[m]) {
+    C = sqrt_area * (length.value - b);
+    dCdy = {sqrt_area * length.n};
+    first = m;
+  }
+
+  // ∂²C/∂w² = √a (I − n nᵀ)/|w|: only turning the thread changes n, and the shorter it is the more.
+  Mats<1> second() const { return {{{sqrt_area * length.second_derivative()}}}; }
+
+  double sqrt_area;
+  Length length;
+};
 
 // Shear: the two threads want to stay perpendicular.
 //
 //   C = √a w_u·w_v,   ∂C/∂w_u = √a w_v,   ∂C/∂w_v = √a w_u
-inline Condition<2> shear(const Triangle& t, const Vecs<2>& w) {
-  return {t.sqrt_area * w[0].dot(w[1]), {t.sqrt_area * w[1], t.sqrt_area * w[0]}};
-}
+struct Shear : Condition<2> {
+  Shear(const Triangle& t, const Vecs<2>& w) : sqrt_area(t.sqrt_area) {
+    C = sqrt_area * w[0].dot(w[1]);
+    dCdy = {sqrt_area * w[1], sqrt_area * w[0]};
+  }
 
-// ∂²C/∂w_u∂w_v = √a I; it has the eigenvalues ±√a, so shear is not convex.
-inline Mats<2> shear_second(const Triangle& t) {
-  const Mat3 O = Mat3::Zero(), I = t.sqrt_area * Mat3::Identity();
-  return {{{O, I}, {I, O}}};
-}
+  // ∂²C/∂w_u∂w_v = √a I; it has the eigenvalues ±√a, so shear is not convex.
+  Mats<2> second() const {
+    const Mat3 O = Mat3::Zero(), I = sqrt_area * Mat3::Identity();
+    return {{{O, I}, {I, O}}};
+  }
 
-// The triangles of a cloth and the conditions that they carry in this scene.
-struct Triangles {
-  static constexpr int N = 3, Y = 2;
-  std::vector<Triangle> elements;  // empty where the scene models neither stretch nor shear
-  std::optional<Term> stretch, shear;
-  std::array<double, 2> b = {1, 1};  // rest lengths b_u, b_v of the threads
+  double sqrt_area;
+};
 
-  // Hands each condition of t, at w, to act(term, condition, second), where second() is the second
-  // derivative, computed only by whoever calls it.
+// [stretch]: both threads of a triangle.
+struct StretchTerm : Term {
+  using Term::Term;
+  static constexpr TermInfo info = {.table = "stretch"};
+
   template <class Act>
   void conditions(const Triangle& t, const Vecs<2>& w, const Act& act) const {
-    if (stretch)
-      for (int m = 0; m < 2; ++m)
-        act(*stretch, ::stretch(t, w, m, b[m]), [&, m] { return stretch_second(t, w, m); });
-    if (shear) act(*shear, ::shear(t, w), [&] { return shear_second(t); });
+    for (int m = 0; m < 2; ++m) act(*this, Stretch(t, w, m, b[m]));
+  }
+
+  std::array<double, 2> b = {1, 1};  // rest lengths b_u, b_v of the threads
+};
+
+// [shear]
+struct ShearTerm : Term {
+  using Term::Term;
+  static constexpr TermInfo info = {.table = "shear"};
+
+  template <class Act>
+  void conditions(const Triangle& t, const Vecs<2>& w, const Act& act) const {
+    act(*this, Shear(t, w));
   }
 };

@@ -17,13 +17,15 @@ double face_stretch(const Mesh& mesh, size_t face, const VecX& x) {
 
 TermEnergies elastic_energies(const Cloth& cloth, const VecX& x) {
   TermEnergies energies;
-  const auto add = [&](const Term& term, double joule) {
-    auto entry = std::find_if(energies.begin(), energies.end(),
-                              [&](const auto& e) { return e.first == term.name; });
-    if (entry == energies.end()) entry = energies.insert(energies.end(), {term.name, 0.0});
-    entry->second += joule;
-  };
-  for_each_family(cloth, [&](const auto& family) { add_elastic_energy(family, x, add); });
+  for_each_family(cloth, [&](const auto& family) {
+    family.for_each_term([&]<class T>(const std::optional<T>& term) {
+      if (!term) return;
+      auto entry = std::find_if(energies.begin(), energies.end(),
+                                [](const auto& e) { return e.first == T::info.table; });
+      if (entry == energies.end()) entry = energies.insert(energies.end(), {T::info.table, 0.0});
+      add_elastic_energy(*term, family.elements, x, entry->second);
+    });
+  });
   return energies;
 }
 

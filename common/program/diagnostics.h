@@ -1,14 +1,15 @@
 // What a run is judged by: energies, the largest stretch, the lowest point.
 #pragma once
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "math/cloth.h"
 #include "scene/mesh.h"
 
-using TermEnergies = std::vector<std::pair<const char*, double>>;  // J, in the order of the terms
+using TermEnergies = std::vector<std::pair<std::string_view, double>>;  // J, by table
 
-// E = Σ k/2 C² over all elements, term by term; only the terms that the scene has.
+// E = Σ k/2 C² over all elements, one sum for each table of the scene, in the order of the lists.
 TermEnergies elastic_energies(const Cloth&, const VecX& x);
 
 struct Energies {

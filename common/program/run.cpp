@@ -154,12 +154,12 @@ struct Run::Files {
   }
 
   // What is not fatal, but should not pass for a result unnoticed.
-  void say_doubts(const Counters& counts) const {
+  void say_doubts(const Counters& counts, long gained) const {
     const bool iterative = options.concepts.iterative;
     const auto doubt = [](const std::string& text) {
       std::printf("  worth a doubt: %s\n", text.c_str());
     };
-    if (counts.gained > 0) {
+    if (gained > 0) {
       char text[128];
       std::snprintf(text, sizeof text,
                     "up to %.3g J more than at the start, %.2g of weight times size", most_gained,
@@ -232,7 +232,8 @@ bool Run::before_frame(int frame) const {
   return !interrupted && files->step < files->scene.time.step_of_frame(frame);
 }
 
-void Run::check(const State& state) {
+void Run::check(const State& state, const Counters& counts) {
+  counters = counts;
   ++files->step;
   files->progress.show(files->step);
   if (!state.x.allFinite()) files->explode("a position is not finite", counters);
@@ -252,7 +253,7 @@ Measures Run::look(const State& state) {
   files->most_stretch = std::max(files->most_stretch, now.max_stretch);
   const double gain = now.energies.total() - files->start.total();
   files->most_gained = std::max(files->most_gained, gain);
-  if (gain > 1e-3 * files->scale && !files->pins_work) ++counters.gained;
+  if (gain > 1e-3 * files->scale && !files->pins_work) ++gained;
   return now;
 }
 
@@ -267,8 +268,8 @@ void Run::record(int frame, const State& state) {
   std::vector<double> row = {double(frame),        r.time(),       energy.kinetic, energy.elastic(),
                              energy.gravitational, energy.total(), stretch,        lowest(state.x)};
   for (const auto& [term, joule] : energy.by_term) row.push_back(joule);
-  for (long count : {counters.iterations, counters.indefinite, counters.capped, counters.gained,
-                     counters.unconverged})
+  for (long count :
+       {counters.iterations, counters.indefinite, counters.capped, gained, counters.unconverged})
     row.push_back(double(count));
   row.push_back(1000 * seconds);
   r.log.row(row);
@@ -294,7 +295,7 @@ int Run::finish(const State& state) {
 
   r.say_end(energies(r.scene.cloth, state));
   r.say_iterations(counters);
-  r.say_doubts(counters);
+  r.say_doubts(counters, gained);
   std::printf("  see %s\n",
               (r.pictures ? r.options.out / "film.png" : r.options.out / "log.csv").c_str());
   if (!interrupted) return 0;

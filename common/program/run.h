@@ -6,16 +6,6 @@
 #include "program/diagnostics.h"
 #include "program/options.h"
 
-// How the steps of a run went; each is a column of log.csv.
-struct Counters {
-  long iterations = 0;  // of the linear solver
-  long indefinite = 0;  // systems with pᵀAp ≤ 0 or a pivot that is not positive
-  long capped = 0;      // systems in which the linear solver reached its most iterations
-  long gained = 0;  // looked-at steps with more energy than the start, by over 1e-3 of its scale;
-                    // not counted where a pin moves, which does work
-  long unconverged = 0;  // steps whose Newton iteration did not converge
-};
-
 struct Measures {
   Energies energies;
   double max_stretch;
@@ -35,7 +25,7 @@ class Run {
 
   // After every time step: counts it, shows progress, and throws if the cloth has exploded: a
   // position is not finite, or a thread is over 1000 times its length.
-  void check(const State&);
+  void check(const State&, const Counters& = {});
 
   // Frame k: a row of log.csv, the pictures, with --export obj a mesh.
   void record(int frame, const State&);
@@ -44,10 +34,12 @@ class Run {
   int finish(const State&);
 
   long steps() const;  // done so far
-  Counters counters;
 
  private:
   Measures look(const State&);
+  Counters counters;
+  long gained = 0;  // looked-at steps with more energy than the start, by over 1e-3 of its scale;
+                    // not counted where a pin moves, which does work
 
   struct Files;
   std::unique_ptr<Files> files;

@@ -1,6 +1,6 @@
 #include "scene/make_cloth.h"
 
-#include "scene/mesh_edges.h"
+#include "scene/hinges.h"
 
 Triangle make_triangle(const Mesh& mesh, size_t face) {
   const auto& [uv0, uv1, uv2] = mesh.rest[face];
@@ -26,36 +26,34 @@ VecX inverse_masses(const VecX& mass, const std::vector<Pin>& pins) {
   return inverse;
 }
 
-void add_bend(const Mesh& mesh, const Model& model, Cloth& cloth) {
-  switch (model.bend_model) {
-    case BendModel::dihedral:
-    case BendModel::bridson:
-      cloth.hinges = {make_hinges(mesh), model.bend, model.bend_model};
-      break;
-    case BendModel::quadratic:
-      cloth.quadratic_hinges = {make_quadratic_hinges(mesh), model.bend};
-      break;
-    case BendModel::springs:
-      cloth.springs = {make_bend_springs(mesh), model.bend};
-  }
+// The elements that the terms of a family act on.
+void make_elements(const Mesh& mesh, Triangles& triangles) {
+  triangles.elements.reserve(mesh.faces.size());
+  for (size_t face = 0; face < mesh.faces.size(); ++face)
+    triangles.elements.push_back(make_triangle(mesh, face));
+}
+void make_elements(const Mesh&, Springs&) {}  // laid by whoever builds the cloth
+void make_elements(const Mesh& mesh, Hinges& hinges) {
+  hinges.elements = make_hinges(mesh);
+}
+void make_elements(const Mesh& mesh, QuadraticHinges& hinges) {
+  hinges.elements = make_quadratic_hinges(mesh);
+}
+void make_elements(const Mesh& mesh, BendSprings& springs) {
+  springs.elements = make_bend_springs(mesh);
 }
 
 }  // namespace
 
 Cloth make_cloth(const Mesh& mesh, const Model& model) {
-  Cloth cloth;
+  Cloth cloth{model};
   cloth.mass = vertex_masses(mesh, model.density);
   cloth.inverse_mass = inverse_masses(cloth.mass, model.pins);
   cloth.pins = model.pins;
   cloth.gravity = model.gravity;
   cloth.grid = mesh.grid;
-  cloth.triangles.stretch = model.stretch;
-  cloth.triangles.shear = model.shear;
-  if (model.stretch || model.shear) {
-    cloth.triangles.elements.reserve(mesh.faces.size());
-    for (size_t face = 0; face < mesh.faces.size(); ++face)
-      cloth.triangles.elements.push_back(make_triangle(mesh, face));
-  }
-  if (model.bend) add_bend(mesh, model, cloth);
+  for_each_family(cloth, [&](auto& family) {
+    if (family.acts()) make_elements(mesh, family);
+  });
   return cloth;
 }

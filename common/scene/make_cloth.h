@@ -3,15 +3,18 @@
 #include "math/cloth.h"
 #include "scene/mesh.h"
 
-// What a scene names. An absent term costs nothing: no element, no array, no arithmetic.
-struct Model {
+// What a scene names: terms without elements. An absent term costs nothing: no element, no array, no
+// arithmetic.
+struct Model : Families {
   double density = 0.2;  // kg/m²
-  std::vector<Pin> pins = {};
-  std::optional<Term> stretch = {};  // N/m
-  std::optional<Term> shear = {};
-  std::optional<Vec3> gravity = {};  // m/s²
-  std::optional<Term> bend = {};     // N·m; N/m for springs
-  BendModel bend_model = BendModel::dihedral;
+  std::vector<Pin> pins;
+  std::optional<Vec3> gravity;  // m/s²
+
+  template <class T>
+  Model& add(const T& named) {
+    term<T>() = named;
+    return *this;
+  }
 };
 
 // A third of each triangle's mass goes to each of its corners: m_i = Σ ρ a/3.

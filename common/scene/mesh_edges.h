@@ -1,11 +1,7 @@
-// Which triangles share an edge, and what bends there.
+// Which triangles share an edge.
 #pragma once
-#include <span>
 #include <string>
 
-#include "math/hinge.h"
-#include "math/quadratic_bend.h"
-#include "math/spring.h"
 #include "scene/mesh.h"
 
 // An edge of two faces, or of one.
@@ -22,12 +18,3 @@ struct MeshEdges {
 // be wound against it, the hinge does not mind. On a disc V − E + F = 1, and so E = 3V − 3 − B with B
 // edges on the boundary. Throws BadInput, naming `source`, for an edge with more than two faces.
 MeshEdges find_edges(const std::vector<Face>&, const std::string& source = "mesh");
-
-// The elements of the four models (math/bend_model.h). A hinge rests flat where both of its faces do, and
-// else as it lies in the mesh; quadratic ones and springs always rest flat.
-std::vector<Hinge> make_hinges(const Mesh&);
-std::vector<QuadraticHinge> make_quadratic_hinges(const Mesh&);
-std::vector<Spring> make_bend_springs(const Mesh&);
-
-// The angles at rest are those at x.
-void rest_at(const VecX& x, std::span<Hinge>);

@@ -7,28 +7,60 @@ namespace {
 
 // The tables of a scene and the first step that teaches each.
 struct KnownTable {
-  const char* name;
+  std::string name;
   int step;
 };
-constexpr KnownTable known_tables[] = {{"cloth", 1}, {"gravity", 1}, {"stretch", 1},
-                                       {"shear", 1}, {"damping", 2}, {"bend", 5},
-                                       {"start", 1}, {"time", 1},    {"camera", 1}};
+
+// Every term brings its table (math/cloth.h), and all of them bring [damping], which the second step
+// teaches. In the order in which the steps teach them.
+std::vector<KnownTable> tables_of_terms() {
+  std::vector<KnownTable> tables = {{"damping", 2}};
+  for (const std::string& name : term_tables())
+    for (const TermInfo& term : term_infos())
+      if (term.table == name) {
+        tables.push_back({name, term.first_step});
+        break;
+      }
+  std::stable_sort(tables.begin(), tables.end(),
+                   [](const KnownTable& a, const KnownTable& b) { return a.step < b.step; });
+  return tables;
+}
+
+const std::vector<KnownTable>& known_tables() {
+  static const std::vector<KnownTable> all = [] {
+    std::vector<KnownTable> tables = {{"cloth", 1}, {"gravity", 1}};
+    for (KnownTable& table : tables_of_terms()) tables.push_back(std::move(table));
+    for (const char* name : {"start", "time", "camera"}) tables.push_back({name, 1});
+    return tables;
+  }();
+  return all;
+}
 
 constexpr const char* steps[] = {"step01_explicit", "step02_damping", "step03_implicit",
                                  "step04_cg", "step05_bend"};
 
 const KnownTable* find_table(std::string_view name) {
-  const auto* const end = std::end(known_tables);
-  const auto* const at = std::find_if(std::begin(known_tables), end,
-                                      [&](const KnownTable& table) { return table.name == name; });
-  return at == end ? nullptr : at;
+  for (const KnownTable& table : known_tables())
+    if (table.name == name) return &table;
+  return nullptr;
 }
 
 // Those that a step teaches, without its later ones.
 Names tables_of(int step) {
   Names names;
-  for (const KnownTable& table : known_tables)
+  for (const KnownTable& table : known_tables())
     if (table.step <= step) names.push_back(table.name);
+  return names;
+}
+
+bool every_scene_needs(const std::string& table) {
+  return table == "cloth" || table == "time";
+}
+
+// Those that a scene can do without.
+Names optional_tables() {
+  Names names = tables_of(int(std::size(steps)));
+  std::erase_if(names, every_scene_needs);
   return names;
 }
 
@@ -66,10 +98,8 @@ void SceneFile::take_out(const std::vector<std::string>& without) {
   for (const std::string& name : without) {
     const std::string refused = file.string() + ": --without " + name + ": ";
     if (!find_table(name))
-      throw BadInput(
-          refused + "there is no such table; " +
-          valid_names(name, {"gravity", "stretch", "shear", "damping", "bend", "start", "camera"}));
-    if (name == "cloth" || name == "time")
+      throw BadInput(refused + "there is no such table; " + valid_names(name, optional_tables()));
+    if (every_scene_needs(name))
       throw BadInput(refused + "every scene needs [" + name +
                      "]; the other tables can be left out");
     tables.erase(name);

@@ -1,6 +1,7 @@
 // The parsed scene: which tables there are, what the command line changes in them, and which of them
 // a step teaches. Only the files that read a scene include this.
 #pragma once
+#include "scene/make_cloth.h"
 #include "scene/scene.h"
 #include "scene/toml_reader.h"
 
@@ -28,6 +29,9 @@ class SceneFile {
   toml::table tables;
 };
 
+// The tables of the terms that a scene can name, each once.
+Names term_tables();
+
 // The parts of a scene, each from its table.
 struct Geometry {
   Mesh mesh;
@@ -35,5 +39,7 @@ struct Geometry {
   std::vector<Pin> pins;
 };
 Geometry read_geometry(const SceneFile&);
-Pin read_pin(const TomlTable&, int vertex);  // { fix, velocity }
+Pin read_pin(const TomlTable&, int vertex);                     // { fix, velocity }
+void read_terms(const SceneFile&, Model&);                      // with their damping
+void check_terms(const SceneFile&, const Mesh&, const Model&);  // can they rest as the mesh lies?
 State read_start(const SceneFile&, const Geometry&, const Cloth&);

@@ -69,7 +69,7 @@ TEST(BendOfZero, MovesAlikeInEveryModelAndIsNotFree) {
   const Part bend{"bend", "run_without_bend"};
   for (const Way& way : ways(bend)) {
     const Outcome absent = run("run_full", without(bend, way));
-    for (const char* model : {"0", "1", "2", "3"}) {
+    for (const char* model : {"dihedral", "bridson", "quadratic", "springs"}) {
       SCOPED_TRACE(std::string(way.name) + ", model " + model);
       Scene scene = with_zero(bend, way);
       scene["bend.model"] = model;

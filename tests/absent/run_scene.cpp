@@ -40,6 +40,9 @@ class Arguments {
     if (found == values.end()) throw std::invalid_argument(name + "=value is missing");
     return found->second;
   }
+  std::string text(const std::string& name, const std::string& absent) const {
+    return has(name) ? text(name) : absent;
+  }
   double number(const std::string& name) const { return std::stod(text(name)); }
   double number(const std::string& name, double absent) const {
     return has(name) ? number(name) : absent;
@@ -49,11 +52,6 @@ class Arguments {
  private:
   std::map<std::string, std::string> values;
 };
-
-std::optional<Term> term(const Arguments& arguments, const char* name) {
-  if (!arguments.has(name)) return {};
-  return Term{name, arguments.number(name), arguments.number(std::string(name) + ".kd", 0)};
-}
 
 std::vector<Pin> pins(int step, const Grid& grid) {
   const int right = grid.cells[0], middle = grid.vertex(right / 2, grid.cells[1] / 2);
@@ -66,10 +64,11 @@ Model make_model(const Arguments& arguments, const Grid& grid) {
   Model model;
   model.pins = pins(arguments.whole("step"), grid);
   if (arguments.has("gravity")) model.gravity = Vec3(0, -arguments.number("gravity"), 0);
-  model.stretch = term(arguments, "stretch");
-  model.shear = term(arguments, "shear");
-  model.bend = term(arguments, "bend");
-  model.bend_model = BendModel(arguments.number("bend.model", 0));
+  for_each_term(model, [&]<class T>(std::optional<T>& term) {
+    const std::string table(T::info.table), chosen = arguments.text(table + ".model", "dihedral");
+    if (arguments.has(table) && (T::info.model.empty() || T::info.model == chosen))
+      term = T(arguments.number(table), arguments.number(table + ".kd", 0));
+  });
   return model;
 }
 
@@ -103,16 +102,14 @@ void print_blocks(const char* name, const BlockMatrix& matrix) {
 template <class System>
 void print_counts(const Cloth& cloth, const System& system) {
   print("triangles", long(cloth.triangles.elements.size()));
-  print("springs", long(cloth.springs.elements.size()));
+  print("springs", long(cloth.springs.elements.size() + cloth.bend_springs.elements.size()));
   print("hinges", long(cloth.hinges.elements.size() + cloth.quadratic_hinges.elements.size()));
   if constexpr (requires { system.A; }) {
     print_blocks("blocks", system.A);
-    print("indefinite", system.indefinite);
-    print("unconverged", system.unconverged);
-  }
-  if constexpr (requires { system.iterations; }) {
-    print("iterations", system.iterations);
-    print("capped", system.capped);
+    print("indefinite", system.counts.indefinite);
+    print("unconverged", system.counts.unconverged);
+    print("iterations", system.counts.iterations);
+    print("capped", system.counts.capped);
   }
 }
 

@@ -18,12 +18,11 @@ constexpr bool operator>(Nothing, int) {
 }
 
 struct Undamped {
-  const char* name;
   double k;
   static constexpr Nothing kd = {};
 
-  operator Term() const { return {name, k}; }  // for whoever asks for its energy
+  operator Term() const { return Term(k); }  // for whoever asks for its energy
 };
 inline Undamped undamped(const Term& term) {
-  return {term.name, term.k};
+  return {term.k};
 }

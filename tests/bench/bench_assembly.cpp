@@ -19,8 +19,8 @@ constexpr double h = 1.0 / 60;
 struct Scene {
   explicit Scene(int n) : mesh(make_grid({1, 1}, {n, n}, Diagonals::alternating)) {
     Model model;
-    model.stretch = Term{"stretch", 1000, 0.02};
-    model.shear = Term{"shear", 500, 0.01};
+    model.add(StretchTerm(1000, 0.02));
+    model.add(ShearTerm(500, 0.01));
     model.gravity = Vec3(0, -9.81, 0);
     model.pins = {n * (n + 1), n * (n + 1) + n};
     cloth = make_cloth(mesh, model);

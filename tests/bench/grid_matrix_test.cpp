@@ -11,7 +11,7 @@ namespace {
 
 BlockMatrix random_matrix(const Mesh& mesh) {
   Model model;
-  model.stretch = Term{"stretch", 1};
+  model.add(StretchTerm(1));
   BlockMatrix A = make_block_matrix(make_cloth(mesh, model));
   Random random(4);
   for (Mat3& B : A.diagonal) {

@@ -20,9 +20,9 @@ struct Folding {
   explicit Folding(int cells_, bool bends = true)
       : cells(cells_), mesh(make_grid({1, 1}, {cells, cells}, Diagonals::same)) {
     Model model;
-    model.stretch = Term{"stretch", 1e4, 10};
-    model.shear = Term{"shear", 1e3, 1};
-    if (bends) model.bend = Term{"bend", 1e-4, 1e-7};
+    model.add(StretchTerm(1e4, 10));
+    model.add(ShearTerm(1e3, 1));
+    if (bends) model.add(DihedralBend(1e-4, 1e-7));
     model.gravity = Vec3(0, -9.81, 0);
     model.pins = {mesh.grid->vertex(0, cells), mesh.grid->vertex(cells, cells)};
     cloth = make_cloth(mesh, model);
@@ -60,7 +60,7 @@ Step ours(Folding& c, const std::string& preconditioner, const VecX& truth) {
       step05::time_step(c.cloth, h, state, *system);
     };
     step.take();
-    step.iterations = system->iterations;
+    step.iterations = system->counts.iterations;
     step.error = (system->dv - truth).norm() / truth.norm();
   }
   return step;

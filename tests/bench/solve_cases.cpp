@@ -8,8 +8,8 @@ namespace {
 
 Model model_of(const Setting& s) {
   Model model;
-  model.stretch = Term{"stretch", s.k, s.kd_stretch};
-  model.shear = Term{"shear", s.k_shear, s.kd_shear};
+  model.add(StretchTerm(s.k, s.kd_stretch));
+  model.add(ShearTerm(s.k_shear, s.kd_shear));
   model.gravity = Vec3(0, -9.81, 0);
   model.pins = {s.cells * (s.cells + 1), s.cells * (s.cells + 2)};
   return model;
@@ -91,7 +91,7 @@ std::vector<Look> watch(const Case& c, step04::System& system, VecX dv, const Ve
   p.setZero();
   std::vector<Look> looks;
   for (double delta_before = 1; looks.size() < 40000;) {
-    system.T->apply(r, s);
+    system.preconditioner->apply(r, s);
     step04::filter(c.cloth, s);
     const double delta = r.dot(s);
     looks.push_back(

@@ -29,10 +29,10 @@ Way ours(const Case& c, const std::string& preconditioner, const VecX& truth) {
   auto system = std::make_shared<step04::System>(c.cloth, method);
   return {"step 4, " + preconditioner, tolerance, [&c, system](VecX& dv) {
             State state = c.state;
-            const long before = system->iterations;
+            const long before = system->counts.iterations;
             step04::time_step(c.cloth, c.setting.h, state, *system);
             dv = system->dv;
-            return system->iterations - before;
+            return system->counts.iterations - before;
           }};
 }
 

@@ -36,8 +36,8 @@ class Ours {
  private:
   static Model model() {
     Model m;
-    m.stretch = Term{"stretch", k_stretch};
-    m.shear = Term{"shear", k_shear};
+    m.add(StretchTerm(k_stretch));
+    m.add(ShearTerm(k_shear));
     return m;
   }
 

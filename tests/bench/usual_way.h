@@ -23,33 +23,30 @@ template <class Family, class Add>
 void family_blocks(const Family& family, const State& state, VecX& f, const Add& add) {
   constexpr int N = Family::N;
   for (const auto& e : family.elements)
-    family.conditions(
-        e, gather(e, state.x), [&](const Term& term, const auto& c, const auto& second) {
-          constexpr int M = int(std::tuple_size_v<std::decay_t<decltype(c.dCdy)>>);
-          const double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
-          const Mats<M> H = kept != 0 ? second() : zero_matrices<M>();
-          Vecs<N> g = zero_vectors<N>();
-          double Cdot = 0;
-          for (int i = 0; i < N; ++i) {
+    family.conditions(e, gather(e, state.x), [&](const Term& term, const auto& c) {
+      constexpr int M = std::decay_t<decltype(c)>::M;
+      const double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
+      const Mats<M> H = kept != 0 ? c.second() : zero_matrices<M>();
+      Vecs<N> g = zero_vectors<N>();
+      double Cdot = 0;
+      for (int i = 0; i < N; ++i) {
+        for (int m = 0; m < M; ++m) g[size_t(i)] += weight(e, c.first + m, i) * c.dCdy[size_t(m)];
+        Cdot += g[size_t(i)].dot(state.v.segment<3>(3 * e.vertices[size_t(i)]));
+      }
+      for (int i = 0; i < N; ++i) {
+        f.segment<3>(3 * e.vertices[size_t(i)]) -= (term.k * c.C + term.kd * Cdot) * g[size_t(i)];
+        for (int j = 0; j < N; ++j) {
+          const Mat3 ggT = g[size_t(i)] * g[size_t(j)].transpose();
+          Mat3 K = -term.k * ggT;
+          if (kept != 0)
             for (int m = 0; m < M; ++m)
-              g[size_t(i)] += weight(e, c.first + m, i) * c.dCdy[size_t(m)];
-            Cdot += g[size_t(i)].dot(state.v.segment<3>(3 * e.vertices[size_t(i)]));
-          }
-          for (int i = 0; i < N; ++i) {
-            f.segment<3>(3 * e.vertices[size_t(i)]) -=
-                (term.k * c.C + term.kd * Cdot) * g[size_t(i)];
-            for (int j = 0; j < N; ++j) {
-              const Mat3 ggT = g[size_t(i)] * g[size_t(j)].transpose();
-              Mat3 K = -term.k * ggT;
-              if (kept != 0)
-                for (int m = 0; m < M; ++m)
-                  for (int n = 0; n < M; ++n)
-                    K -= kept * weight(e, c.first + m, i) * weight(e, c.first + n, j) *
-                         H[size_t(m)][size_t(n)];
-              add(e.vertices[size_t(i)], e.vertices[size_t(j)], K, Mat3(-term.kd * ggT));
-            }
-          }
-        });
+              for (int n = 0; n < M; ++n)
+                K -= kept * weight(e, c.first + m, i) * weight(e, c.first + n, j) *
+                     H[size_t(m)][size_t(n)];
+          add(e.vertices[size_t(i)], e.vertices[size_t(j)], K, Mat3(-term.kd * ggT));
+        }
+      }
+    });
 }
 
 template <class Add>

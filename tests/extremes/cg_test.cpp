@@ -29,13 +29,13 @@ void expect_survived(const char* preconditioner) {
         const TestScene scene = make(k);
         step04::System system(scene.cloth, with(preconditioner, 0.1));
         const Outcome o = watch(scene, h, 60, system, step04::time_step);
-        std::printf("%-11s %8.4f %6.0e  %11ld %11.2e %9.4f\n", name, h, k, system.iterations,
+        std::printf("%-11s %8.4f %6.0e  %11ld %11.2e %9.4f\n", name, h, k, system.counts.iterations,
                     o.gain, o.last);
         const std::string where = std::string(name) + ", h = " + std::to_string(h);
         EXPECT_TRUE(o.finite) << where << ", k = " << k;
         EXPECT_LT(o.last, 3) << where << ", k = " << k;
         EXPECT_EQ(o.indefinite, 0) << where << ", k = " << k;
-        EXPECT_LT(system.capped, 10) << where << ", k = " << k;  // 6 measured
+        EXPECT_LT(system.counts.capped, 10) << where << ", k = " << k;  // 6 measured
       }
 }
 
@@ -60,7 +60,7 @@ void solve_to_relative_residual(const Cloth& cloth, step04::System& system) {
   const double enough = system.method.tolerance * r.norm();
   double delta_before = 1;
   for (int i = 0; i < 10000 && r.norm() > enough; ++i) {
-    system.T->apply(r, s);
+    system.preconditioner->apply(r, s);
     const double delta = r.dot(s);
     c = s + delta / delta_before * c;
     system.A.multiply(c, q);
@@ -78,7 +78,7 @@ void textbook_step(const Cloth& cloth, double h, State& state, step04::System& s
   system.b = h * (system.f + h * system.b);
   system.A.set_diagonal(cloth.mass);
   system.A.add(-h * h, system.K);
-  system.T->set(system.A);
+  system.preconditioner->set(system.A);
   solve_to_relative_residual(cloth, system);
   state.v += system.dv;
   state.x += h * state.v;

@@ -54,12 +54,12 @@ TEST(PrintedMatrix, LetsTheStripBuckleIfNewtonsMethodGoesOn) {
 // eigenvalues are set to zero.
 void clamped_matrix(const Cloth& cloth, const State& state, step03::System& system) {
   system.K.set_zero();
-  auto slot = system.slots.triangles.begin();
+  auto slot = system.slots.of(cloth.triangles).begin();
   for (const Triangle& t : cloth.triangles.elements) {
     step03::Sum<2> sum;
     const Vecs<2> w = gather(t, state.x), wdot = gather(t, state.v);
-    cloth.triangles.conditions(t, w, [&](const Term& term, const auto& c, const auto& second) {
-      step03::act(term, c, second, Jacobian::bw98, wdot, sum);
+    cloth.triangles.conditions(t, w, [&](const Term& term, const auto& c) {
+      step03::act(term, c, Jacobian::bw98, wdot, sum);
     });
     MatX K = MatX::Zero(9, 9);
     for (int i = 0; i < 3; ++i)

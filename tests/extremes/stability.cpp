@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "program/diagnostics.h"
-#include "scene/mesh_edges.h"
+#include "scene/hinges.h"
 #include "support/extreme_scenes.h"
 
 namespace extremes {
@@ -17,10 +17,13 @@ TestScene scene_of(const MapWay& map, MapScene kind, double k, const Watch& watc
                         ? pushed_strip(k)
                         : sheet(watch.cells, Held::by_two_corners, k, k, Gravity::on);
   if (map.way.step == 2)
-    for (auto* term : {&scene.cloth.triangles.stretch, &scene.cloth.triangles.shear})
-      (*term)->kd = damping_time * k;
-  if (map.way.step == 5)
-    scene.cloth.hinges = {make_hinges(scene.mesh), Term{"bend", bend_stiffness}};
+    for_each_term(scene.cloth, [&](auto& term) {
+      if (term) term->kd = damping_time * k;
+    });
+  if (map.way.step == 5) {
+    scene.cloth.hinges.elements = make_hinges(scene.mesh);
+    scene.cloth.term<DihedralBend>() = DihedralBend(bend_stiffness);
+  }
   return scene;
 }
 

@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   Model model;
-  model.stretch = Term{"stretch", 1};
+  model.add(StretchTerm(1));
   const Cloth cloth = make_cloth(make_grid({1, 1}, {cells, cells}, Diagonals::same), model);
   const BlockMatrix A = make_block_matrix(cloth);
 

@@ -38,11 +38,11 @@ double worst(const std::vector<double>& values) {
 
 // A stiffer or softer cloth of the same kind: stretch gets k, shear and damping follow in proportion.
 void rescale(Cloth& cloth, double k) {
-  Triangles& triangles = cloth.triangles;
-  if (!triangles.stretch) throw BadInput("--k: the scene has no [stretch]");
-  const double factor = k / triangles.stretch->k;
-  for (auto* term : {&triangles.stretch, &triangles.shear})
-    if (*term) (*term)->k *= factor, (*term)->kd *= factor;
+  if (!cloth.term<StretchTerm>()) throw BadInput("--k: the scene has no [stretch]");
+  const double factor = k / cloth.term<StretchTerm>()->k;
+  cloth.triangles.for_each_term([&](auto& term) {
+    if (term) term->k *= factor, term->kd *= factor;
+  });
 }
 
 Scene read(const Arguments& arguments) {
@@ -71,7 +71,7 @@ class Trajectory {
       system.A.set_diagonal(cloth.mass);
       system.A.add(-h, system.D);
       system.A.add(-h * h, system.K);
-      system.T->set(system.A);
+      system.preconditioner->set(system.A);
     });
     direct->solve(system.A, system.b, dv);
     for (Measured& m : measured) solve(assembly, m);
@@ -90,13 +90,13 @@ class Trajectory {
   }
 
   void solve(double assembly, Measured& m) {
-    const long before = system.iterations;
+    const long before = system.counts.iterations;
     system.method.tolerance = m.tolerance;
     step04::prescribe(cloth, state.v, system.dv);
     const double first = residual();
     const double solving = seconds([&] { step04::conjugate_gradients(cloth, system); });
     m.seconds.push_back(assembly + solving);
-    m.iterations.push_back(double(system.iterations - before));
+    m.iterations.push_back(double(system.counts.iterations - before));
     m.residual.push_back(residual() / first);
     m.error.push_back((system.dv - dv).norm() / dv.norm());
   }
@@ -169,8 +169,8 @@ Result measure(const Scene& scene, const std::string& preconditioner) {
     }
   }
   for (size_t i = 0; i < runs.size(); ++i) {
-    measured[i].capped = runs[i].system.capped;
-    measured[i].indefinite = runs[i].system.indefinite;
+    measured[i].capped = runs[i].system.counts.capped;
+    measured[i].indefinite = runs[i].system.counts.indefinite;
   }
   return result;
 }

@@ -15,10 +15,10 @@ Cloth small_cloth() {
   cloth.gravity = Vec3(0, -9.81, 0);
   cloth.triangles.elements = {make_triangle({0, 1, 2}, Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)),
                               make_triangle({3, 2, 1}, Vec2(1, 1), Vec2(0, 1), Vec2(1, 0))};
-  cloth.triangles.stretch = Term{"stretch", 10};
-  cloth.triangles.shear = Term{"shear", 5};
+  cloth.term<StretchTerm>() = StretchTerm(10);
+  cloth.term<ShearTerm>() = ShearTerm(5);
   cloth.springs.elements = {make_spring(0, 3, 1.5)};
-  cloth.springs.spring = Term{"spring", 10};
+  cloth.term<SpringTerm>() = SpringTerm(10);
   return cloth;
 }
 

@@ -29,7 +29,7 @@ QuadraticHinge quadratic(const FlatHinge& flat_hinge) {
 QuadraticHinges one_quadratic(const FlatHinge& flat_hinge) {
   QuadraticHinges hinges;
   hinges.elements = {quadratic(flat_hinge)};
-  hinges.bend = Term{"bend", k};
+  hinges.term<QuadraticBend>() = QuadraticBend(k);
   return hinges;
 }
 
@@ -70,16 +70,16 @@ TEST(Bend, ForceIsTheFallingSlopeOfTheEnergy) {
 TEST(Bend, SecondDerivativeOfBridsonsConditionIsTheSlopeOfItsGradient) {
   for (const FoldCase& fold : all_folds(42)) {
     const Hinge hinge = hinge_near(fold.theta, 0.4, bridson_shape(fold.flat_hinge));
-    EXPECT_TRUE(
-        is_slope([&](const VecX& x) { return flat(bridson(hinge, make_fold(points(x))).dCdy); },
-                 [&](const VecX& x) -> MatX {
-                   const Mats<4> second = bridson_second(hinge, make_fold(points(x)));
-                   MatX all(12, 12);
-                   for (int i = 0; i < 4; ++i)
-                     for (int j = 0; j < 4; ++j) all.block<3, 3>(3 * i, 3 * j) = second[i][j];
-                   return all;
-                 },
-                 fold.x, fold.length))
+    EXPECT_TRUE(is_slope([&](const VecX& x) { return flat(Bridson(hinge, points(x)).dCdy); },
+                         [&](const VecX& x) -> MatX {
+                           const Mats<4> second = Bridson(hinge, points(x)).second();
+                           MatX all(12, 12);
+                           for (int i = 0; i < 4; ++i)
+                             for (int j = 0; j < 4; ++j)
+                               all.block<3, 3>(3 * i, 3 * j) = second[i][j];
+                           return all;
+                         },
+                         fold.x, fold.length))
         << fold.name;
   }
 }
@@ -119,7 +119,7 @@ void sweep(Hinges& hinges, double first, double last, const Look& look) {
   for (double theta = first; std::abs(theta - first) <= std::abs(last - first); theta += step) {
     const VecX x = flat(plain.folded(theta));
     look(theta, x);
-    hinges.follow(x);
+    follow(hinges.elements, x);
   }
 }
 
@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Sweeps, FullFold,
 TEST_P(FullFold, KeepsItsEnergyAndTheSignOfItsForce) {
   const Sweep& s = GetParam();
   Hinges hinges = one_hinge(hinge_near(0, s.rest_angle), k);
-  hinges.follow(flat(plain.folded(s.first)));
+  follow(hinges.elements, flat(plain.folded(s.first)));
   sweep(hinges, s.first, s.last, [&](double theta, const VecX& x) {
     const double away = theta - s.rest_angle;
     EXPECT_NEAR(energy(hinges, x), k / 2 * away * away, 1e-12) << theta;
@@ -166,7 +166,7 @@ TEST(Bend, WithoutTheLastAngleAFullFoldFlips) {
 TEST(Bend, AHingeStartsWithinHalfATurn) {
   for (const double theta : {-3.1, -1.0, 0.0, 2.0, 3.1, pi}) {
     Hinges hinges = one_hinge(hinge_near(0), k);
-    hinges.follow(flat(plain.folded(theta)));
+    follow(hinges.elements, flat(plain.folded(theta)));
     EXPECT_NEAR(std::abs(hinges.elements[0].theta), std::abs(theta), 1e-15);
     EXPECT_LE(std::abs(hinges.elements[0].theta), pi);
   }
@@ -187,12 +187,12 @@ TEST(Bend, ACollapsedFlapKeepsItsEnergyAndHasNoForce) {
       const double before = energy(hinges, flat(plain.folded(0.7)));
       EXPECT_NEAR(energy(hinges, flat(p)), before, 1e-14);
       EXPECT_EQ(family_forces(hinges, flat(p)), VecX::Zero(12).eval());
-      hinges.conditions(hinges.elements[0], p, [](const Term&, const auto& c, const auto& second) {
+      hinges.conditions(hinges.elements[0], p, [](const Term&, const auto& c) {
         EXPECT_TRUE(std::isfinite(c.C));
-        for (const auto& row : second())
+        for (const auto& row : c.second())
           for (const Mat3& block : row) EXPECT_EQ(block, Mat3::Zero().eval());
       });
-      hinges.follow(flat(p));
+      follow(hinges.elements, flat(p));
       EXPECT_EQ(hinges.elements[0].theta, 0.7);
     }
 }
@@ -229,12 +229,11 @@ double lowest_over_highest(const MatX& K) {
 
 TEST(Bend, GaussNewtonIsPositiveSemidefiniteAndTheFullMatrixIsNot) {
   for (const FoldCase& fold : all_folds(45)) {
-    const Fold at = make_fold(points(fold.x));
-    const Condition<4> c = dihedral(hinge_near(fold.theta), at);
+    const Dihedral c(hinge_near(fold.theta), points(fold.x));
     EXPECT_FALSE(c.convex) << "its second derivative is not kept";
-    EXPECT_GE(lowest_over_highest(stiffness(c, angle_second(at), 0)), -1e-14) << fold.name;
+    EXPECT_GE(lowest_over_highest(stiffness(c, c.second(), 0)), -1e-14) << fold.name;
     if (fold.theta != 0) {
-      EXPECT_LT(lowest_over_highest(stiffness(c, angle_second(at), c.C)), -1e-3) << fold.name;
+      EXPECT_LT(lowest_over_highest(stiffness(c, c.second(), c.C)), -1e-3) << fold.name;
     }
   }
 }
@@ -247,8 +246,8 @@ TEST(Bend, TheFullMatrixOfAUnitCellIsIndefinite) {
   for (const auto& [theta, lowest] : std::map<double, double>{{0.5, -1.495}, {1.5, -3.941}}) {
     Vecs<4> p = cell.folded(theta);
     p[2] *= std::sqrt(2);
-    const Fold at = make_fold(p);
-    const MatX K = stiffness(dihedral(hinge_near(0), at), angle_second(at), theta);
+    const Dihedral c(hinge_near(0), p);
+    const MatX K = stiffness(c, c.second(), theta);
     EXPECT_NEAR(eigenvalues(K)[0], lowest, 1e-3);
   }
 }
@@ -265,7 +264,8 @@ Evaluated assembled(const Family& family, const State& state, Jacobian jacobian)
   step03::System system(cloth, method);
   system.D = system.K;
   system.f.setZero();
-  step03::add_family(family, find_slots(family, system.K), state, system);
+  system.slots.of(family) = find_slots(family, system.K);
+  step03::add_family(family, state, system);
   return {system.f, dense(system.K), dense(system.D)};
 }
 
@@ -280,7 +280,7 @@ TEST(Bend, TheStepsAssembleForceAndMatricesOfAHinge) {
     const State state{x, random.vector(12, 1)};
     Hinges hinges = one_hinge(hinge_near(fold.theta, 0.3), k);
     hinges.elements[0].vertices = order;
-    hinges.bend->kd = kd;
+    hinges.term<DihedralBend>()->kd = kd;
     VecX g(12);
     MatX H(12, 12);
     const Fold at = make_fold(gather(hinges.elements[0], x));
@@ -425,9 +425,9 @@ TEST(Quadratic, ForceIsLinear) {
 TEST(BendSprings, EnergyGrowsWithTheFourthPowerOfTheFold) {
   const double H = 0.5;
   const FlatHinge hinge = {H, 0.5, H, 0.5};
-  Springs springs;
+  BendSprings springs;
   springs.elements = {make_spring(0, 3, 2 * H)};
-  springs.spring = Term{"spring", k};
+  springs.term<SpringBend>() = SpringBend(k);
   for (const double theta : {0.02, 0.05, 0.2}) {
     const double exact = 2 * k * H * H * std::pow(1 - std::cos(theta / 2), 2);
     const double E = energy(springs, flat(hinge.folded(theta)));

@@ -2,7 +2,8 @@
 // B κ²/2 per area.
 #include <gtest/gtest.h>
 
-#include "scene/mesh_edges.h"
+#include "scene/hinges.h"
+#include "support/bend_models.h"
 #include "support/energy.h"
 
 namespace {
@@ -53,14 +54,13 @@ double modulus(BendModel model, Diagonals diagonals, double phi) {
   if (model == BendModel::quadratic) {
     QuadraticHinges hinges;
     hinges.elements = in_window(mesh, make_quadratic_hinges(mesh));
-    hinges.bend = Term{"bend", 1};
+    hinges.term<QuadraticBend>() = QuadraticBend(1);
     E = energy(hinges, x);
   } else {
-    Hinges hinges;
-    hinges.elements = in_window(mesh, make_hinges(mesh));
-    hinges.bend = Term{"bend", 1};
-    hinges.model = model;
-    E = energy(hinges, x);
+    Families families;
+    families.hinges.elements = in_window(mesh, make_hinges(mesh));
+    add_bend(families, model, 1);
+    E = energy(families.hinges, x);
   }
   return E / window / (small * small / 2);
 }
@@ -104,9 +104,9 @@ TEST(BendModulus, DependsOnTheDirection) {
 TEST(BendModulus, SpringsHaveNone) {
   EXPECT_FALSE(stiffness_of_modulus(BendModel::springs, 1));
   const Mesh mesh = grid(Diagonals::same);
-  Springs springs;
+  BendSprings springs;
   springs.elements = make_bend_springs(mesh);
-  springs.spring = Term{"spring", 1};
+  springs.term<SpringBend>() = SpringBend(1);
   const double E = energy(springs, rolled(mesh, 0, small));
   EXPECT_GT(E, 0);
   EXPECT_NEAR(energy(springs, rolled(mesh, 0, 2 * small)) / E, 16, 0.1);

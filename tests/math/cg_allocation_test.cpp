@@ -16,8 +16,8 @@ struct CgAllocation : testing::TestWithParam<const char*> {
   int allocations_in_steps(int coarsest) {
     const Mesh mesh = make_grid({1, 1}, {2 * coarsest, 2 * coarsest}, Diagonals::alternating);
     Model model;
-    model.stretch = Term{"stretch", 1000, 1};
-    model.shear = Term{"shear", 500, 1};
+    model.add(StretchTerm(1000, 1));
+    model.add(ShearTerm(500, 1));
     model.gravity = Vec3(0, -9.81, 0);
     model.pins = {0, Pin(4, Vec3::UnitX() * Vec3::UnitX().transpose())};
     const Cloth cloth = make_cloth(mesh, model);
@@ -27,12 +27,12 @@ struct CgAllocation : testing::TestWithParam<const char*> {
     State state{mesh.x, VecX::Zero(mesh.x.size())};
     const auto step = [&] { step04::time_step(cloth, 0.01, state, system); };
     step();
-    const long before = system.iterations;
+    const long before = system.counts.iterations;
     const int allocated = allocations_in([&] {
       for (int i = 0; i < 20; ++i) step();
     });
-    EXPECT_GT(system.iterations, before);
-    EXPECT_EQ(system.indefinite + system.capped, 0);
+    EXPECT_GT(system.counts.iterations, before);
+    EXPECT_EQ(system.counts.indefinite + system.counts.capped, 0);
     return allocated;
   }
 };

@@ -30,8 +30,8 @@ Sample random_triangle(Random& random, int n) {
   const auto decade = [&](double low, double high) {
     return std::pow(10, random.between(low, high));
   };
-  s.cloth.triangles.stretch = Term{"stretch", decade(0, 8), decade(-3, 3)};
-  s.cloth.triangles.shear = Term{"shear", decade(0, 8), decade(-3, 3)};
+  s.cloth.term<StretchTerm>() = StretchTerm(decade(0, 8), decade(-3, 3));
+  s.cloth.term<ShearTerm>() = ShearTerm(decade(0, 8), decade(-3, 3));
   const Pose pose = all_poses[size_t(n) % all_poses.size()];
   s.state.x = positions(rest, pose_w(pose, random), random.vector(3, 1));
   if (n % 50 == 4) s.state.x.setZero();  // all in one point
@@ -54,7 +54,7 @@ TEST(Definite, NoSpringMakesAIndefinite) {
   for (int n = 0; n < poses; ++n) {
     Cloth cloth;
     cloth.mass = cloth.inverse_mass = VecX::Ones(6);
-    cloth.springs.spring = Term{"spring", 100, random.between(0, 5)};
+    cloth.term<SpringTerm>() = SpringTerm(100, random.between(0, 5));
     cloth.springs.elements = {make_spring(0, 1, random.between(0.1, 2))};
     State state{random.vector(6, n % 2 ? 1 : 0.1), random.vector(6, 10)};
     if (n % 100 == 0) state.x.setZero();
@@ -82,7 +82,7 @@ TEST(Definite, TheMatrixOfBaraffAndWitkinIsNot) {
 TEST(Definite, KeepsAllOfAStretchedThreadAndNothingOfACompressedOne) {
   Cloth cloth;
   cloth.mass = cloth.inverse_mass = VecX::Ones(6);
-  cloth.springs.spring = Term{"spring", 100};
+  cloth.term<SpringTerm>() = SpringTerm(100);
   cloth.springs.elements = {make_spring(0, 1, 1)};
   State state{VecX::Zero(6), VecX::Zero(6)};
   for (const double length : {0.5, 1.5}) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "scene/hinges.h"
 #include "scene/mesh_edges.h"
 #include "support/poses.h"
 #include "text/bad_input.h"

@@ -31,7 +31,8 @@ TEST(Invariance, RigidMotionCostsNothing) {
       const VecX x = moved(laid_out, random.rotation(), random.vector(3, distance));
       const Cloth cloth = one_triangle(t, k_stretch, k_shear);
       const double grain = 1e-15 * (4 + distance), C = 4 * grain * largest_weight(t);
-      EXPECT_LT(energy(cloth, x), (k_stretch + k_shear) * t.area * C * C) << distance << " m away";
+      EXPECT_LT(potential_energy(cloth, x), (k_stretch + k_shear) * t.area * C * C)
+          << distance << " m away";
       EXPECT_LT(forces(cloth, x).norm(), 4 * (k_stretch + k_shear) * t.area * C * largest_weight(t))
           << distance << " m away";
     }
@@ -46,7 +47,7 @@ TEST(Invariance, RigidMotionOfASpringCostsNothing) {
       const VecX x = moved(laid_out, random.rotation(), random.vector(3, distance));
       const Cloth cloth = one_spring(make_spring(0, 1, 0.7), 11);
       const double grain = 1e-15 * (1 + distance);
-      EXPECT_LT(energy(cloth, x), 11 * grain * grain) << distance << " m away";
+      EXPECT_LT(potential_energy(cloth, x), 11 * grain * grain) << distance << " m away";
       EXPECT_LT(forces(cloth, x).norm(), 4 * 11 * grain) << distance << " m away";
     }
 }
@@ -141,14 +142,14 @@ TEST_P(EveryPose, SecondDerivativeOfStretchIsSymmetricAndConvex) {
     for (const int m : {0, 1}) {
       const Triangle t = make_triangle(random_rest(random));
       const Vecs<2> w = pose_w(GetParam(), random);
-      const Mat3 H = matrix(stretch_second(t, w, m));
+      const Mat3 H = matrix(Stretch(t, w, m).second());
       const double bend =
           t.sqrt_area / w[size_t(m)].norm();  // the two eigenvalues across the thread
       EXPECT_EQ(H, H.transpose().eval());
       const Vec3 eigenvalues = Eigen::SelfAdjointEigenSolver<Mat3>(H).eigenvalues();
       EXPECT_LT((eigenvalues - Vec3(0, bend, bend)).norm(), 1e-11 * bend)
           << eigenvalues.transpose();
-      EXPECT_TRUE(stretch(t, w, m).convex);
+      EXPECT_TRUE(Stretch(t, w, m).convex);
     }
 }
 
@@ -157,12 +158,12 @@ TEST_P(EveryPose, SecondDerivativeOfASpringIsSymmetricAndConvex) {
   for (int i = 0; i < 50; ++i) {
     const Vec3 y = pose_w(GetParam(), random)[0];
     const Spring s = make_spring(0, 1, 0.5, 0.25);
-    const Mat3 H = matrix(elongation_second(s, y));
+    const Mat3 H = matrix(Elongation(s, y).second());
     const double bend = 0.5 / y.norm();
     EXPECT_EQ(H, H.transpose().eval());
     const Vec3 eigenvalues = Eigen::SelfAdjointEigenSolver<Mat3>(H).eigenvalues();
     EXPECT_LT((eigenvalues - Vec3(0, bend, bend)).norm(), 1e-11 * bend) << eigenvalues.transpose();
-    EXPECT_TRUE(elongation(s, y).convex);
+    EXPECT_TRUE(Elongation(s, y).convex);
   }
 }
 
@@ -172,14 +173,14 @@ TEST(Shear, SecondDerivativeIsSymmetricAndNotConvex) {
   Random random(29);
   for (int i = 0; i < 50; ++i) {
     const Triangle t = make_triangle(random_rest(random));
-    const Eigen::Matrix<double, 6, 6> H = matrix(shear_second(t));
+    const Eigen::Matrix<double, 6, 6> H = matrix(Shear(t, zero_vectors<2>()).second());
     EXPECT_EQ(H, H.transpose().eval());
     Eigen::Matrix<double, 6, 1> expected;
     expected << -1, -1, -1, 1, 1, 1;
     const Eigen::Matrix<double, 6, 1> eigenvalues =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(H).eigenvalues();
     EXPECT_LT((eigenvalues - t.sqrt_area * expected).norm(), 1e-14 * t.sqrt_area);
-    EXPECT_FALSE(shear(t, {Vec3::UnitX(), random.direction()}).convex);
+    EXPECT_FALSE(Shear(t, {Vec3::UnitX(), random.direction()}).convex);
   }
 }
 

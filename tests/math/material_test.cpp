@@ -22,7 +22,7 @@ Stretched stretched_sheet(const Vec2& size, const std::array<int, 2>& cells, dou
   Stretched s;
   s.mesh = make_grid(size, cells, Diagonals::same);
   Model model;
-  model.stretch = Term{"stretch", k};
+  model.add(StretchTerm(k));
   s.cloth = make_cloth(s.mesh, model);
   s.x = s.mesh.x;
   for (int i = 0; i < s.mesh.vertices(); ++i) s.x[3 * i] *= 1 + strain;
@@ -51,11 +51,11 @@ TEST(Material, EnergyIsThatOfTheSheetWhateverTheMesh) {
   const double k = 1, strain = 0.05;
   for (const int n : {4, 8, 16, 32}) {
     const Stretched s = stretched_sheet({1, 1}, {n, n}, k, strain);
-    EXPECT_NEAR(energy(s.cloth, s.x), 1.25e-3, 1e-15) << n << " cells";  // k/2 ε² A
+    EXPECT_NEAR(potential_energy(s.cloth, s.x), 1.25e-3, 1e-15) << n << " cells";  // k/2 ε² A
   }
   // A sheet that is not square, with cells that are not.
   const Stretched s = stretched_sheet({2, 0.5}, {7, 3}, 300, strain);
-  EXPECT_NEAR(energy(s.cloth, s.x), 300 / 2 * strain * strain * (2 * 0.5), 1e-12);
+  EXPECT_NEAR(potential_energy(s.cloth, s.x), 300 / 2 * strain * strain * (2 * 0.5), 1e-12);
 }
 
 TEST(Material, PullOnTheEdgeIsStiffnessTimesStrainTimesWidth) {
@@ -94,7 +94,7 @@ Springs springs_on_grid_lines(const Mesh& mesh, const Vec2& cell, double k) {
                         std::max(mesh.faces[face][c], mesh.faces[face][d]), along_u ? 0 : 1}];
     }
   Springs springs;
-  springs.spring = Term{"spring", k};
+  springs.term<SpringTerm>() = SpringTerm(k);
   for (const auto& [edge, triangles] : triangles_at) {
     const double along = cell[edge[2]], across = cell[1 - edge[2]];
     springs.elements.push_back(
@@ -111,7 +111,7 @@ TEST(Material, StretchOnAGridIsSpringsOnTheGridLines) {
   for (const Diagonals diagonals : {Diagonals::same, Diagonals::alternating}) {
     const Mesh mesh = make_grid(size, cells, diagonals);
     Model model;
-    model.stretch = Term{"stretch", k};
+    model.add(StretchTerm(k));
     const Cloth of_triangles = make_cloth(mesh, model);
     Cloth of_springs = bare_cloth(mesh.vertices());
     of_springs.springs = springs_on_grid_lines(mesh, cell, k);
@@ -122,7 +122,8 @@ TEST(Material, StretchOnAGridIsSpringsOnTheGridLines) {
       const VecX x = mesh.x + random.vector(int(mesh.x.size()), 0.05);
       const VecX f = forces(of_triangles, x);
       EXPECT_LT((forces(of_springs, x) - f).norm(), 1e-12 * f.norm());
-      EXPECT_NEAR(energy(of_springs, x), energy(of_triangles, x), 1e-12 * energy(of_triangles, x));
+      EXPECT_NEAR(potential_energy(of_springs, x), potential_energy(of_triangles, x),
+                  1e-12 * potential_energy(of_triangles, x));
     }
   }
 }

@@ -16,12 +16,12 @@ struct MatrixAllocation : testing::Test {
 
   void SetUp() override {
     Model model;
-    model.stretch = Term{"stretch", 100, 1};
-    model.shear = Term{"shear", 50, 1};
+    model.add(StretchTerm(100, 1));
+    model.add(ShearTerm(50, 1));
     model.gravity = Vec3(0, -9.81, 0);
     model.pins = {20, 24};
     cloth = make_cloth(mesh, model);
-    cloth.springs.spring = Term{"spring", 10, 1};
+    cloth.term<SpringTerm>() = SpringTerm(10, 1);
     cloth.springs.elements = {make_spring(0, 24, 1.5)};
     for (int i = 0; i < state.x.size(); ++i) state.x[i] *= 1 + 0.1 * (i % 3);
   }

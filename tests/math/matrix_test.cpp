@@ -9,8 +9,9 @@
 namespace {
 
 Cloth without_damping(Cloth cloth) {
-  for (auto* term : {&cloth.triangles.stretch, &cloth.triangles.shear, &cloth.springs.spring})
-    if (*term) (*term)->kd = 0;
+  for_each_term(cloth, [](auto& term) {
+    if (term) term->kd = 0;
+  });
   return cloth;
 }
 
@@ -60,7 +61,7 @@ TEST_F(Matrix, DIsTheSlopeOfTheDampingForce) {
 
 // Where every thread is stretched, nothing is left out of stretch and springs.
 TEST_F(Matrix, DefiniteKIsTheSlopeToo_WhereThreadsAreStretchedAndNothingShears) {
-  elastic.triangles.shear.reset();
+  elastic.term<ShearTerm>().reset();
   const VecX x = 1.6 * mesh.x + random.vector(int(mesh.x.size()), 0.05);
   for (const DenseCondition& c : dense_conditions(elastic, x)) ASSERT_GT(c.C, 0);
   EXPECT_TRUE(is_slope(
@@ -134,8 +135,8 @@ double median(std::vector<double> values) {
 TEST_F(Matrix, TheOmittedPartIsNotSmallBesideTheKeptOne) {
   const Mesh one = make_grid({1, 1}, {1, 1}, Diagonals::same);
   Model model;
-  model.stretch = Term{"stretch", 1, 1};
-  model.shear = Term{"shear", 1, 1};
+  model.add(StretchTerm(1, 1));
+  model.add(ShearTerm(1, 1));
   const Cloth sheet = make_cloth(one, model);
   std::array<std::vector<double>, 2> ratios;  // of stretch, of shear
   for (int n = 0; n < 4000; ++n) {

@@ -165,9 +165,9 @@ INSTANTIATE_TEST_SUITE_P(Grids, VCycle, testing::ValuesIn(cases()),
 
 TEST_P(VCycle, IsThatOfDenseMatrices) {
   const step04::System system = sheet.step(cg("multigrid", 1e-6));
-  EXPECT_EQ(system.capped + system.indefinite, 0);
+  EXPECT_EQ(system.counts.capped + system.counts.indefinite, 0);
   const MatX S = filter_matrix(sheet.cloth);
-  const MatX T = matrix_of(*system.T, S.rows());
+  const MatX T = matrix_of(*system.preconditioner, S.rows());
   EXPECT_LT(relative(T, cycle(dense(system.A), S, *sheet.cloth.grid)), 1e-9);
   EXPECT_LT(relative(T.transpose(), T), 1e-11);
 }
@@ -178,7 +178,7 @@ TEST_P(VCycle, ContractsEveryError) {
   const step04::System system = sheet.step(cg("multigrid", 1e-6));
   const MatX Z = free_directions(sheet.cloth), A = dense(system.A);
   const MatX L = cholesky(Z.transpose() * A * Z);
-  const MatX T = matrix_of(*system.T, A.rows());
+  const MatX T = matrix_of(*system.preconditioner, A.rows());
   const VecX e = eigenvalues(L.transpose() * Z.transpose() * T * Z * L);
   EXPECT_GT(e.minCoeff(), 0.01);
   EXPECT_LT(e.maxCoeff(), 1 + 1e-9);

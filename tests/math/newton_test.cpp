@@ -21,10 +21,10 @@ struct Newton : testing::Test {
   double h = 0.02;
 
   void SetUp() override {
-    model.stretch = Term{"stretch", 1000};
-    model.shear = Term{"shear", 500};
+    model.add(StretchTerm(1000));
+    model.add(ShearTerm(500));
   }
-  void damp() { model.stretch->kd = 0.5, model.shear->kd = 0.2; }
+  void damp() { model.term<StretchTerm>()->kd = 0.5, model.term<ShearTerm>()->kd = 0.2; }
   State thrown(double size) {
     State state = disturbed(mesh, size, random);
     for (const Pin& pin : model.pins) state.v.segment<3>(3 * pin.vertex).setZero();
@@ -54,7 +54,7 @@ TEST_F(Newton, OneIterationTakenWholeIsThePlainStep) {
   model.pins = {30, 35};
   for (const double k : {10.0, 1e3, 1e4})
     for (int n = 0; n < 5; ++n) {
-      model.stretch->k = k, model.shear->k = k / 2;
+      model.term<StretchTerm>()->k = k, model.term<ShearTerm>()->k = k / 2;
       const Cloth cloth = make_cloth(mesh, model);
       const State start = thrown(0.002);
       State plain = start, once = start;
@@ -101,7 +101,7 @@ TEST_F(Newton, AConvergedStepNeverGainsEnergy) {
       State state = start;
       step03::System system(cloth, newton(2000));
       step03::time_step(cloth, step, state, system);
-      EXPECT_EQ(system.unconverged, 0) << "h = " << step << ", " << size << " m";
+      EXPECT_EQ(system.counts.unconverged, 0) << "h = " << step << ", " << size << " m";
       const double before = potential_energy(cloth, start.x) + kinetic(cloth, start.v);
       EXPECT_LE(potential_energy(cloth, state.x) + kinetic(cloth, state.v - start.v),
                 before * (1 + 1e-13))
@@ -115,7 +115,7 @@ TEST_F(Newton, AConvergedStepNeverGainsEnergy) {
 TEST_F(Newton, LinearForcesLeaveNoResidualAfterThePlainStep) {
   Cloth cloth = make_cloth(mesh, {});
   cloth.gravity = Vec3(0, -9.81, 0);
-  cloth.springs.spring = Term{"spring", 50};
+  cloth.term<SpringTerm>() = SpringTerm(50);
   for (int i = 0; i + 7 < cloth.vertices(); ++i) {
     cloth.springs.elements.push_back(make_spring(i, i + 1, 0));
     cloth.springs.elements.push_back(make_spring(i, i + 7, 0));
@@ -138,7 +138,7 @@ std::vector<double> errors(const Cloth& cloth, double h, const State& start, Jac
     State state = start;
     step03::System system(cloth, newton(iterations, jacobian));
     step03::newton_step(cloth, h, state, system);
-    EXPECT_EQ(system.indefinite, 0);
+    EXPECT_EQ(system.counts.indefinite, 0);
     return state.v;
   };
   State exact{start.x, after(4)};  // and on with dense matrices
@@ -187,7 +187,7 @@ TEST_F(Newton, AStepThatDoesNotConvergeIsCounted) {
   State state = thrown(0.3);
   step03::System system(cloth, newton(2));
   step03::time_step(cloth, h, state, system);
-  EXPECT_EQ(system.unconverged, 1);
+  EXPECT_EQ(system.counts.unconverged, 1);
 }
 
 }  // namespace

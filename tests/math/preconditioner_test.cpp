@@ -84,7 +84,7 @@ TEST(BlockJacobi, IsTheInverseOfTheDiagonalBlocks) {
   const MatX A = closed(sheet.cloth, dense(system.A));
   MatX blocks = MatX::Zero(A.rows(), A.cols());
   for (int i = 0; i < A.rows(); i += 3) blocks.block<3, 3>(i, i) = A.block<3, 3>(i, i).inverse();
-  EXPECT_LT(relative(matrix_of(*system.T, A.rows()), blocks), 1e-12);
+  EXPECT_LT(relative(matrix_of(*system.preconditioner, A.rows()), blocks), 1e-12);
 }
 
 TEST(BlockJacobi, OfDiagonalBlocksIsExact) {
@@ -92,8 +92,9 @@ TEST(BlockJacobi, OfDiagonalBlocksIsExact) {
   const step04::System system = sheet.step(cg("block", 1e-4));
   BlockMatrix A = system.A;
   for (Mat3& block : A.upper) block.setZero();
-  system.T->set(A);
-  EXPECT_LT(relative(matrix_of(*system.T, 3 * A.rows()), inverse(closed(sheet.cloth, dense(A)))),
+  system.preconditioner->set(A);
+  EXPECT_LT(relative(matrix_of(*system.preconditioner, 3 * A.rows()),
+                     inverse(closed(sheet.cloth, dense(A)))),
             1e-12);
 }
 
@@ -105,8 +106,8 @@ struct IC : testing::Test {
   // A of a disturbed sheet on `mesh`, of its own numbering.
   BlockMatrix matrix(const Mesh& mesh, const std::vector<Pin>& pins) {
     Model model;
-    model.stretch = Term{"stretch", 1000};
-    model.shear = Term{"shear", 500};
+    model.add(StretchTerm(1000));
+    model.add(ShearTerm(500));
     model.pins = pins;
     cloth = make_cloth(mesh, model);
     Random random(156);

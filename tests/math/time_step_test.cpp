@@ -17,7 +17,7 @@ TEST(Step01, CarriesNoElementsThatTheSceneDoesNotName) {
   EXPECT_FALSE(bare.gravity);
   EXPECT_EQ(forces(bare, 2 * mesh.x), VecX::Zero(mesh.x.size()).eval());
 
-  model.shear = Term{"shear", 1};
+  model.add(ShearTerm(1));
   EXPECT_EQ(make_cloth(mesh, model).triangles.elements.size(), 32u);
 }
 
@@ -28,8 +28,9 @@ TEST(Step01, ForcesOfTheTermsAddUp) {
   const VecX x = mesh.x + random.vector(int(mesh.x.size()), 0.1);
   Model stretch, shear, both;
   both.gravity = Vec3(0, -9.81, 0);
-  stretch.stretch = both.stretch = Term{"stretch", 100};
-  shear.shear = both.shear = Term{"shear", 50};
+  stretch.add(StretchTerm(100));
+  shear.add(ShearTerm(50));
+  both.add(StretchTerm(100)).add(ShearTerm(50));
   Cloth weight = make_cloth(mesh, {});
   weight.gravity = both.gravity;
   const VecX sum =
@@ -43,8 +44,8 @@ TEST(Step01, FreeClothFallsLikeAStone) {
   const Mesh mesh = make_grid({1, 1}, {4, 4}, Diagonals::same);
   Model model;
   model.gravity = Vec3(0, -9.81, 0);
-  model.stretch = Term{"stretch", 100};
-  model.shear = Term{"shear", 50};
+  model.add(StretchTerm(100));
+  model.add(ShearTerm(50));
   const Cloth cloth = make_cloth(mesh, model);
   State state{mesh.x, VecX::Zero(mesh.x.size())};
   step01::System system(cloth);
@@ -63,8 +64,8 @@ TEST(Step01, MomentumIsThatOfTheWeightAlone) {
   const Mesh mesh = make_grid({1, 0.7}, {4, 3}, Diagonals::alternating);
   Model model;
   model.gravity = Vec3(1, -9.81, 2);
-  model.stretch = Term{"stretch", 100};
-  model.shear = Term{"shear", 50};
+  model.add(StretchTerm(100));
+  model.add(ShearTerm(50));
   const Cloth cloth = make_cloth(mesh, model);
   Random random(52);
   State state{mesh.x, random.vector(int(mesh.x.size()), 2)};
@@ -85,8 +86,8 @@ TEST(Step01, PinsDoNotMove) {
   Model model;
   model.pins = {20, 24};
   model.gravity = Vec3(0, -9.81, 0);
-  model.stretch = Term{"stretch", 100};
-  model.shear = Term{"shear", 50};
+  model.add(StretchTerm(100));
+  model.add(ShearTerm(50));
   const Cloth cloth = make_cloth(mesh, model);
   State state{mesh.x, VecX::Zero(mesh.x.size())};
   step01::System system(cloth);

@@ -30,7 +30,7 @@ VecX stacked(const Positions& p) {
 Vec3 conditions(const Rest& rest, const Positions& p) {
   const Triangle t = triangle(rest);
   const Vecs<2> w = gather(t, stacked(p));
-  return Vec3(stretch(t, w, 0).C, stretch(t, w, 1).C, shear(t, w).C) / t.sqrt_area;
+  return Vec3(Stretch(t, w, 0).C, Stretch(t, w, 1).C, Shear(t, w).C) / t.sqrt_area;
 }
 
 double area(const Positions& p) {
@@ -108,7 +108,7 @@ TEST(Notes000, StretchedTriangle) {
   const Positions p = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)};
   expect_close(conditions(unit_rest, p), Vec3(1, 0, 0));
   const Triangle t = triangle(unit_rest);
-  EXPECT_NEAR(stretch(t, gather(t, stacked(p)), 0).C, root_half, 1e-15);
+  EXPECT_NEAR(Stretch(t, gather(t, stacked(p)), 0).C, root_half, 1e-15);
 
   const VecX of_the_note = stacked({Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 0)});
   expect_close(forces(one_triangle(t, 2, 0), stacked(p)), of_the_note);
@@ -174,13 +174,13 @@ TEST(Notes000, OnlyTheRootOfTheAreaIsAMaterial) {
   for (const int n : {4, 8, 16, 32}) {
     const Mesh mesh = make_grid({1, 1}, {n, n}, Diagonals::same);
     Model model;
-    model.stretch = Term{"stretch", 1};
+    model.add(StretchTerm(1));
     const Cloth cloth = make_cloth(mesh, model);
     VecX x = mesh.x;
     for (int i = 0; i < mesh.vertices(); ++i) x[3 * i] *= 1 + strain;
 
     // Ours is E = Σ a/2 (…)²; another α changes the a of each triangle to α².
-    const double ours = energy(cloth, x);
+    const double ours = potential_energy(cloth, x);
     const double a = 0.5 / (n * n);
     EXPECT_NEAR(ours, 1.25e-3, 1e-15) << "α = √a, " << n << " cells";
 

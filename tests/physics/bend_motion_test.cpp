@@ -83,8 +83,7 @@ TEST(BendMomenta, ForcesNeitherPushNorTurnTheCloth) {
   for (const BendModel bend_model :
        {BendModel::dihedral, BendModel::bridson, BendModel::quadratic, BendModel::springs}) {
     Model m = model(0, 0, Gravity::off);
-    m.bend = Term{"bend", 1};
-    m.bend_model = bend_model;
+    add_bend(m, bend_model, 1);
     TestScene scene = at_rest(make_grid({1, 1}, {6, 6}, Diagonals::alternating), m);
     Random random(61);
     scene.start.x += random.vector(int(scene.start.x.size()), 0.05);
@@ -106,7 +105,7 @@ TEST(BendMomenta, ForcesNeitherPushNorTurnTheCloth) {
 TestScene thrown(double k_bend) {
   TestScene scene = thrown_sheet();
   Model m = model(100, 50, Gravity::off);
-  m.bend = Term{"bend", k_bend};
+  m.add(DihedralBend(k_bend));
   scene.cloth = make_cloth(scene.mesh, m);
   scene.start.v += field(scene.mesh, [](double u, double v) {
     return Vec3(0, std::cos(2 * pi * u) * std::cos(pi * v), 0);
@@ -120,7 +119,7 @@ double total_energy(const Cloth& cloth, const State& state) {
 
 double bend_energy(const Cloth& cloth, const VecX& x) {
   double sum = 0;
-  add_elastic_energy(cloth.hinges, x, [&](const Term&, double joule) { sum += joule; });
+  add_elastic_energy(cloth.hinges, cloth.hinges.elements, x, sum);
   return sum;
 }
 
@@ -190,7 +189,7 @@ TEST(BendMotion, AHingeSwingsThroughItsFullFold) {
   mesh.x << -1, 0, 0, 0, 0, 1, 0, 0, -1, 1, 0, 0;
   const double k = 0.02, most = 4.5;
   Model m = model(1e4, 1e4, Gravity::off);
-  m.bend = Term{"bend", k};
+  m.add(DihedralBend(k));
   m.pins = {0, 1, 2};
   TestScene scene = at_rest(mesh, m);
   const double omega = std::sqrt(k / scene.cloth.mass[9]), period = 2 * pi / omega;  // r = 1 m

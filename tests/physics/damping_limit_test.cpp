@@ -17,7 +17,7 @@ constexpr double k = 1000;
 
 TestScene damped_sheet(double kd_over_k) {
   TestScene scene = sheet(4, Held::by_two_corners, k, k, Gravity::off);
-  scene.cloth.triangles.stretch->kd = scene.cloth.triangles.shear->kd = kd_over_k * k;
+  scene.cloth.term<StretchTerm>()->kd = scene.cloth.term<ShearTerm>()->kd = kd_over_k * k;
   return scene;
 }
 
@@ -73,8 +73,8 @@ TEST(DampedCriticalStep, FollowsTheTheoryOfOneMode) {
 // Stretch and shear damped unequally: no formula, but critical_step still says what a run does.
 TEST(DampedCriticalStep, IsPredictedWhereModesMixAsWell) {
   TestScene scene = damped_sheet(0);
-  scene.cloth.triangles.stretch->kd = 1;
-  scene.cloth.triangles.shear->kd = 0.1;
+  scene.cloth.term<StretchTerm>()->kd = 1;
+  scene.cloth.term<ShearTerm>()->kd = 0.1;
   step02::System system(scene.cloth);
   const double predicted = critical_step(scene.cloth, scene.start, step02::forces, system);
   const double measured = stable_step_by_bisection(scene, 0.9 * predicted, 1.1 * predicted);

@@ -12,8 +12,8 @@
 namespace {
 
 void damp(Cloth& cloth, double kd_stretch, double kd_shear) {
-  cloth.triangles.stretch->kd = kd_stretch;
-  if (cloth.triangles.shear) cloth.triangles.shear->kd = kd_shear;
+  cloth.term<StretchTerm>()->kd = kd_stretch;
+  if (cloth.term<ShearTerm>()) cloth.term<ShearTerm>()->kd = kd_shear;
 }
 
 // Internal forces, damping among them, come in pairs: momentum stays, while energy goes.

@@ -16,7 +16,7 @@ TEST(ImplicitFall, OfAFlatSheetIsThatOfStep01) {
   for (const Jacobian jacobian : {Jacobian::definite, Jacobian::bw98})
     for (const int newton : {1, 5}) {
       TestScene scene = sheet(5, Held::free, 1e4, 5e3, Gravity::on);
-      scene.cloth.triangles.stretch->kd = 0.5;
+      scene.cloth.term<StretchTerm>()->kd = 0.5;
       Method method;
       method.jacobian = jacobian;
       method.newton = newton;
@@ -76,7 +76,7 @@ TEST(ImplicitSpring, LosesTheAmplitudeThatTheoryTells) {
   cloth.inverse_mass = cloth.mass.cwiseInverse();
   cloth.inverse_mass.tail<3>().setZero();
   cloth.pins = {1};
-  cloth.springs.spring = Term{"spring", 50};
+  cloth.term<SpringTerm>() = SpringTerm(50);
   cloth.springs.elements = {make_spring(0, 1, 0)};  // length 0 at rest: f = −k x
   const double omega = std::sqrt(50 / 0.02);
   for (const double h_omega : {0.1, 1.0, 10.0}) {
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Convergence03,
 
 TEST_P(Convergence03, IsOfOrderOne) {
   TestScene scene = GetParam().scene();
-  scene.cloth.triangles.stretch->kd = scene.cloth.triangles.shear->kd = GetParam().kd;
+  scene.cloth.term<StretchTerm>()->kd = scene.cloth.term<ShearTerm>()->kd = GetParam().kd;
   step02::System explicit_system(scene.cloth);
   const Stepper fine = rk4(scene.cloth, step02::forces, explicit_system);
   const VecX exact = simulate(fine, scene.start, scene.end, 6400).x;

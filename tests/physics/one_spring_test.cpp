@@ -25,7 +25,7 @@ Cloth mass_on_a_spring(bool pinned) {
     cloth.inverse_mass.head<3>().setZero();
   }
   cloth.springs.elements = {make_spring(0, 1, 0.5)};
-  cloth.springs.spring = Term{"spring", k};
+  cloth.term<SpringTerm>() = SpringTerm(k);
   return cloth;
 }
 

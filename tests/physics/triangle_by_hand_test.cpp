@@ -45,9 +45,9 @@ TEST(TriangleByHand, HasTheseThreadsAndConditions) {
   EXPECT_NEAR(t.area, 0.005, 1e-15);
   expect_near(w[0], Vec3(1.1, 0, 0), 1e-14, "w_u");
   expect_near(w[1], Vec3(0.1, 1, 0), 1e-14, "w_v");
-  EXPECT_NEAR(stretch(t, w, 0).C, 0.00707106781, 1e-11);
-  EXPECT_NEAR(stretch(t, w, 1).C, 0.000352674, 1e-9);
-  EXPECT_NEAR(shear(t, w).C, 0.00777817459, 1e-11);
+  EXPECT_NEAR(Stretch(t, w, 0).C, 0.00707106781, 1e-11);
+  EXPECT_NEAR(Stretch(t, w, 1).C, 0.000352674, 1e-9);
+  EXPECT_NEAR(Shear(t, w).C, 0.00777817459, 1e-11);
 }
 
 TEST(TriangleByHand, HasTheseEnergies) {

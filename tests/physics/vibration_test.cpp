@@ -30,7 +30,7 @@ Cloth chain(int rows) {
   cloth.inverse_mass = cloth.mass.cwiseInverse();
   cloth.inverse_mass.head<3>().setZero();
   for (int i = 0; i < rows; ++i) cloth.springs.elements.push_back(make_spring(i, i + 1, h));
-  cloth.springs.spring = Term{"spring", k / h};
+  cloth.term<SpringTerm>() = SpringTerm(k / h);
   return cloth;
 }
 

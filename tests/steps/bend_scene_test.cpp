@@ -42,7 +42,7 @@ class BendScene : public SceneFiles {
 
 size_t elements(const Cloth& cloth) {
   return cloth.hinges.elements.size() + cloth.quadratic_hinges.elements.size() +
-         cloth.springs.elements.size();
+         cloth.bend_springs.elements.size();
 }
 
 }  // namespace
@@ -57,17 +57,19 @@ TEST_F(BendScene, each_model_has_the_elements_of_its_family_and_no_others) {
   for (const std::string model : {"", "model = \"dihedral\"", "model = \"bridson\""}) {
     const Hinges hinges = with(model).hinges;
     EXPECT_EQ(hinges.elements.size(), 8u) << model;
-    EXPECT_EQ(hinges.bend->k, 0.5);
-    EXPECT_EQ(hinges.model == BendModel::bridson, model.find("bridson") != model.npos);
+    const bool bridson = model.find("bridson") != model.npos;
+    EXPECT_EQ(hinges.term<DihedralBend>().has_value(), !bridson);
+    EXPECT_EQ(hinges.term<BridsonBend>().has_value(), bridson);
+    EXPECT_EQ(bridson ? hinges.term<BridsonBend>()->k : hinges.term<DihedralBend>()->k, 0.5);
   }
   const QuadraticHinges quadratic = with("model = \"quadratic\"").quadratic_hinges;
   EXPECT_EQ(quadratic.elements.size(), 8u);
-  EXPECT_EQ(quadratic.bend->k, 0.5);
-  const Springs springs = with("model = \"springs\"").springs;
+  EXPECT_EQ(quadratic.term<QuadraticBend>()->k, 0.5);
+  const BendSprings springs = with("model = \"springs\"").bend_springs;
   EXPECT_EQ(springs.elements.size(), 8u);
-  EXPECT_EQ(springs.spring->k, 0.5);
-  EXPECT_EQ(springs.spring->kd, 0);
-  EXPECT_STREQ(springs.spring->name, "bend") << "its column in the log";
+  EXPECT_EQ(springs.term<SpringBend>()->k, 0.5);
+  EXPECT_EQ(springs.term<SpringBend>()->kd, 0);
+  EXPECT_EQ(SpringBend::info.table, "bend") << "its column in the log";
 }
 
 TEST_F(BendScene, without_the_table_nothing_bends) {
@@ -78,29 +80,29 @@ TEST_F(BendScene, without_the_table_nothing_bends) {
   for (const Cloth& c : {absent, left_out}) {
     EXPECT_EQ(c.hinges.elements.capacity(), 0u);
     EXPECT_EQ(c.quadratic_hinges.elements.capacity(), 0u);
-    EXPECT_EQ(c.springs.elements.capacity(), 0u);
-    EXPECT_FALSE(c.hinges.bend || c.quadratic_hinges.bend || c.springs.spring);
+    EXPECT_EQ(c.bend_springs.elements.capacity(), 0u);
+    EXPECT_FALSE(c.hinges.acts() || c.quadratic_hinges.acts() || c.bend_springs.acts());
   }
-  EXPECT_EQ(left_out.triangles.stretch->kd, 2) << "only the damping of [bend] goes with it";
+  EXPECT_EQ(left_out.triangles.term<StretchTerm>()->kd, 2)
+      << "only the damping of [bend] goes with it";
 }
 
-// math/bend_model.h says what k each model needs for a modulus.
+// math/hinge.h says what k each model needs for a modulus.
 TEST_F(BendScene, k_follows_from_the_modulus_of_each_model) {
   const auto with = [&](const std::string& model) {
     return cloth(grid + "[bend]\nB = 0.06\nmodel = \"" + model + "\"");
   };
-  EXPECT_DOUBLE_EQ(with("dihedral").hinges.bend->k, 0.06);
-  EXPECT_DOUBLE_EQ(with("bridson").hinges.bend->k, 0.24);
-  EXPECT_DOUBLE_EQ(with("quadratic").quadratic_hinges.bend->k, 0.02);
-  EXPECT_EQ(cloth(grid + "[bend]\nB = 0").hinges.bend->k, 0);
+  EXPECT_DOUBLE_EQ(with("dihedral").term<DihedralBend>()->k, 0.06);
+  EXPECT_DOUBLE_EQ(with("bridson").term<BridsonBend>()->k, 0.24);
+  EXPECT_DOUBLE_EQ(with("quadratic").term<QuadraticBend>()->k, 0.02);
+  EXPECT_EQ(cloth(grid + "[bend]\nB = 0").term<DihedralBend>()->k, 0);
 }
 
 TEST_F(BendScene, damping_reaches_every_model) {
   for (const std::string model : model_names) {
     const Cloth c =
         cloth(grid + "[bend]\nk = 1\nmodel = \"" + model + "\"\n[damping]\nbend = 0.25");
-    for (const auto& term : {c.hinges.bend, c.quadratic_hinges.bend, c.springs.spring})
-      EXPECT_TRUE(!term || term->kd == 0.25) << model;
+    for_each_term(c, [&](const auto& term) { EXPECT_TRUE(!term || term->kd == 0.25) << model; });
     EXPECT_TRUE(damped(c)) << model;
     EXPECT_FALSE(damped(cloth(grid + "[bend]\nk = 1\nmodel = \"" + model + "\""))) << model;
   }
@@ -174,7 +176,7 @@ TEST_F(BendScene, damping_without_the_table_is_refused_with_what_the_step_knows)
               "scene.toml:12: " + program +
                   " does not model [bend]; step05_bend does. --without bend runs the scene without "
                   "it");
-    EXPECT_FALSE(read(scene, program, {.without = {"bend"}}).cloth.hinges.bend);
+    EXPECT_FALSE(read(scene, program, {.without = {"bend"}}).cloth.hinges.acts());
   }
   EXPECT_EQ(refused(grid + "[damping]\nbent = 1", "step04_cg"),
             "scene.toml:10: [damping] has no key bent; Valid are stretch, shear");

@@ -74,8 +74,8 @@ TEST_F(MeshTest, rest_areas_and_masses_add_up_to_those_of_the_sheet) {
 TEST_F(MeshTest, a_cloth_has_triangles_only_for_stretch_or_shear) {
   const Mesh grid = make_grid({1, 1}, {2, 2}, Diagonals::same);
   EXPECT_TRUE(make_cloth(grid, {}).triangles.elements.empty());
-  EXPECT_EQ(make_cloth(grid, {.stretch = Term{"stretch", 1}}).triangles.elements.size(), 8u);
-  EXPECT_EQ(make_cloth(grid, {.shear = Term{"shear", 1}}).triangles.elements.size(), 8u);
+  EXPECT_EQ(make_cloth(grid, Model().add(StretchTerm(1))).triangles.elements.size(), 8u);
+  EXPECT_EQ(make_cloth(grid, Model().add(ShearTerm(1))).triangles.elements.size(), 8u);
 }
 
 TEST_F(MeshTest, a_grid_beyond_memory_is_refused_before_anything_is_allocated) {
@@ -85,7 +85,7 @@ TEST_F(MeshTest, a_grid_beyond_memory_is_refused_before_anything_is_allocated) {
               {"2147483647 x 2147483647 cells", "MB", "fewer"});
   EXPECT_FALSE(too_large({40, 40}));
   const Mesh grid = make_grid({1, 1}, {40, 40}, Diagonals::same);
-  const Cloth cloth = make_cloth(grid, {.stretch = Term{"stretch", 1}});
+  const Cloth cloth = make_cloth(grid, Model().add(StretchTerm(1)));
   const size_t bytes =
       grid.faces.size() * (sizeof(Face) + sizeof(grid.rest[0]) + sizeof(Triangle)) +
       sizeof(double) * size_t(5 * grid.x.size());

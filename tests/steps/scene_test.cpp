@@ -12,8 +12,8 @@ const std::string all_tables =
 TEST_F(SceneTest, without_a_table_nothing_of_it_exists) {
   const Scene scene = read(cloth_and_time);
   EXPECT_FALSE(scene.cloth.gravity);
-  EXPECT_FALSE(scene.cloth.triangles.stretch);
-  EXPECT_FALSE(scene.cloth.triangles.shear);
+  EXPECT_FALSE(scene.cloth.term<StretchTerm>());
+  EXPECT_FALSE(scene.cloth.term<ShearTerm>());
   EXPECT_EQ(scene.cloth.triangles.elements.capacity(), 0u);
   EXPECT_EQ(scene.cloth.springs.elements.capacity(), 0u);
   EXPECT_EQ(scene.cloth.pins.capacity(), 0u);
@@ -25,12 +25,12 @@ TEST_F(SceneTest, every_table_arrives_where_the_steps_read_it) {
   EXPECT_EQ(*scene.cloth.gravity, Vec3(0, -9.81, 0));
   const Triangles& triangles = scene.cloth.triangles;
   EXPECT_EQ(triangles.elements.size(), 8u);
-  EXPECT_STREQ(triangles.stretch->name, "stretch");
-  EXPECT_STREQ(triangles.shear->name, "shear");
-  EXPECT_EQ(triangles.stretch->k, 1000);
-  EXPECT_EQ(triangles.shear->k, 500.5);
-  EXPECT_EQ(triangles.stretch->kd, 0.02);
-  EXPECT_EQ(triangles.shear->kd, 0.01);
+  EXPECT_EQ(StretchTerm::info.table, "stretch");
+  EXPECT_EQ(ShearTerm::info.table, "shear");
+  EXPECT_EQ(triangles.term<StretchTerm>()->k, 1000);
+  EXPECT_EQ(triangles.term<ShearTerm>()->k, 500.5);
+  EXPECT_EQ(triangles.term<StretchTerm>()->kd, 0.02);
+  EXPECT_EQ(triangles.term<ShearTerm>()->kd, 0.01);
   EXPECT_EQ(*scene.camera.eye, Vec3(0, 1, 4));
   EXPECT_FALSE(scene.camera.target);
   EXPECT_EQ(*scene.camera.still, 0.5);
@@ -50,8 +50,8 @@ TEST_F(SceneTest, defaults_are_twelve_frames_the_diagonals_of_the_notes_and_a_fl
 TEST_F(SceneTest, one_term_is_damped_without_the_other) {
   const Scene scene =
       read(cloth_and_time + "[stretch]\nk = 1\n[shear]\nk = 1\n[damping]\nshear = 2");
-  EXPECT_EQ(scene.cloth.triangles.stretch->kd, 0);
-  EXPECT_EQ(scene.cloth.triangles.shear->kd, 2);
+  EXPECT_EQ(scene.cloth.term<StretchTerm>()->kd, 0);
+  EXPECT_EQ(scene.cloth.term<ShearTerm>()->kd, 2);
 }
 
 TEST_F(SceneTest, whole_numbers_are_numbers_and_zero_gravity_and_stiffness_are_allowed) {
@@ -59,7 +59,7 @@ TEST_F(SceneTest, whole_numbers_are_numbers_and_zero_gravity_and_stiffness_are_a
       read(with_line(6, "h = 1", cloth_and_time + "[gravity]\ng = 0\n[shear]\nk = 0"));
   EXPECT_EQ(scene.time.h, 1);
   EXPECT_TRUE(scene.cloth.gravity->isZero(0));
-  EXPECT_EQ(scene.cloth.triangles.shear->k, 0);
+  EXPECT_EQ(scene.cloth.term<ShearTerm>()->k, 0);
 }
 
 TEST_F(SceneTest, the_number_of_steps_forgives_rounding_and_covers_the_end) {
@@ -262,13 +262,13 @@ TEST_F(SceneTest, a_mesh_is_found_beside_the_scene_and_starts_as_its_file_has_it
 
 TEST_F(SceneTest, tables_taken_out_are_not_modelled_and_a_term_goes_with_its_damping) {
   const Scene bare = read(all_tables, "step02", {.without = {"damping", "gravity", "bend"}});
-  EXPECT_EQ(bare.cloth.triangles.stretch->kd, 0);
+  EXPECT_EQ(bare.cloth.term<StretchTerm>()->kd, 0);
   EXPECT_FALSE(bare.cloth.gravity);
   const Scene no_shear = read(all_tables, "step02", {.without = {"shear"}});
-  EXPECT_FALSE(no_shear.cloth.triangles.shear);
-  EXPECT_EQ(no_shear.cloth.triangles.stretch->kd, 0.02);
+  EXPECT_FALSE(no_shear.cloth.term<ShearTerm>());
+  EXPECT_EQ(no_shear.cloth.term<StretchTerm>()->kd, 0.02);
   const Scene first = read(all_tables, "step01_explicit", {.without = {"damping"}});
-  EXPECT_EQ(first.cloth.triangles.stretch->kd, 0);
+  EXPECT_EQ(first.cloth.term<StretchTerm>()->kd, 0);
 }
 
 TEST_F(SceneTest, the_command_line_replaces_time_and_cells) {
@@ -285,7 +285,7 @@ TEST_F(SceneTest, a_still_at_the_very_end_and_windows_line_ends_are_accepted) {
   EXPECT_EQ(*read(cloth_and_time + "[camera]\nstill = 1\n").camera.still, 1);
   std::string windows;
   for (const char c : all_tables) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  EXPECT_EQ(read(windows).cloth.triangles.stretch->k, 1000);
+  EXPECT_EQ(read(windows).cloth.term<StretchTerm>()->k, 1000);
 }
 
 TEST_F(SceneTest, a_program_that_is_no_step_is_an_error_of_the_programmer) {

@@ -36,8 +36,8 @@ void add_dense_conditions(const Family& family, const VecX& x, std::vector<Dense
     const VecX flat = W * x;
     Vecs<Family::Y> y;
     for (int m = 0; m < Family::Y; ++m) y[m] = flat.segment<3>(3 * m);
-    family.conditions(e, y, [&](const Term& term, const auto& c, const auto& second) {
-      const auto block = second();
+    family.conditions(e, y, [&](const Term& term, const auto& c) {
+      const auto block = c.second();
       VecX gy = VecX::Zero(flat.size());
       MatX Hy = MatX::Zero(flat.size(), flat.size());
       for (int m = 0; m < int(c.dCdy.size()); ++m) {
@@ -54,20 +54,17 @@ void add_dense_conditions(const Family& family, const VecX& x, std::vector<Dense
 
 std::vector<DenseCondition> dense_conditions(const Cloth& cloth, const VecX& x) {
   std::vector<DenseCondition> all;
-  add_dense_conditions(cloth.triangles, x, all);
-  add_dense_conditions(cloth.springs, x, all);
-  add_dense_conditions(cloth.hinges, x, all);
-  add_dense_conditions(cloth.quadratic_hinges, x, all);
+  for_each_family(cloth, [&](const auto& family) { add_dense_conditions(family, x, all); });
   return all;
 }
 
 Cloth rich_cloth(const Mesh& mesh) {
   Model model;
-  model.stretch = Term{"stretch", 100, 2};
-  model.shear = Term{"shear", 40, 3};
+  model.add(StretchTerm(100, 2));
+  model.add(ShearTerm(40, 3));
   Cloth cloth = make_cloth(mesh, model);
   const int last = cloth.vertices() - 1;
-  cloth.springs.spring = Term{"spring", 30, 1};
+  cloth.term<SpringTerm>() = SpringTerm(30, 1);
   cloth.springs.elements = {make_spring(0, last, 1.2), make_spring(last - 1, 1, 0.4, 0.7)};
   return cloth;
 }

@@ -1,22 +1,15 @@
 // Energies and forces of a cloth, for the tests: a cloth without a scene, the forces as step 1 adds
 // them up, and the energy whose slope they have to be.
 #pragma once
+#include "math/energy.h"
 #include "step01_explicit/time_step.h"
 
 // E = Σ k/2 C² over the conditions of one family.
 template <class Family>
 double energy(const Family& family, const VecX& x) {
   double E = 0;
-  for (const auto& element : family.elements)
-    family.conditions(element, gather(element, x),
-                      [&](const Term& term, const auto& condition, const auto&) {
-                        E += 0.5 * term.k * condition.C * condition.C;
-                      });
+  add_elastic_energy(family, family.elements, x, E);
   return E;
-}
-
-inline double energy(const Cloth& cloth, const VecX& x) {
-  return energy(cloth.triangles, x) + energy(cloth.springs, x);
 }
 
 inline VecX forces(const Cloth& cloth, const VecX& x) {
@@ -35,14 +28,14 @@ inline Cloth bare_cloth(int vertices) {
 inline Cloth one_triangle(const Triangle& t, double k_stretch, double k_shear) {
   Cloth cloth = bare_cloth(3);
   cloth.triangles.elements = {t};
-  if (k_stretch > 0) cloth.triangles.stretch = Term{"stretch", k_stretch};
-  if (k_shear > 0) cloth.triangles.shear = Term{"shear", k_shear};
+  if (k_stretch > 0) cloth.term<StretchTerm>() = StretchTerm(k_stretch);
+  if (k_shear > 0) cloth.term<ShearTerm>() = ShearTerm(k_shear);
   return cloth;
 }
 
 inline Cloth one_spring(const Spring& s, double k) {
   Cloth cloth = bare_cloth(2);
   cloth.springs.elements = {s};
-  cloth.springs.spring = Term{"spring", k};
+  cloth.term<SpringTerm>() = SpringTerm(k);
   return cloth;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "math/hinge.h"
+#include "support/bend_models.h"
 #include "support/energy.h"
 #include "support/family_forces.h"
 #include "support/poses.h"
@@ -73,13 +74,16 @@ inline std::vector<FoldCase> all_folds(unsigned seed) {
 
 // Vertices 0 to 3, with the angle of the last step next to θ.
 inline Hinge hinge_near(double theta, double rest_angle = 0, double shape = 1) {
-  return {{0, 1, 2, 3}, rest_angle, shape, theta};
+  Hinge hinge{{{0, 1, 2, 3}}};
+  hinge.rest_angle = rest_angle;
+  hinge.shape = shape;
+  hinge.theta = theta;
+  return hinge;
 }
 
 inline Hinges one_hinge(const Hinge& hinge, double k, BendModel model = BendModel::dihedral) {
-  Hinges hinges;
-  hinges.elements = {hinge};
-  hinges.bend = Term{"bend", k};
-  hinges.model = model;
-  return hinges;
+  Families families;
+  families.hinges.elements = {hinge};
+  add_bend(families, model, k);
+  return families.hinges;
 }

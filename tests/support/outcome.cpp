@@ -7,10 +7,12 @@ namespace extremes {
 Outcome watch(const TestScene& scene, double h, int steps, const Method& method) {
   Cloth cloth = scene.cloth;
   const auto simulator = make_simulator({3, method}, cloth);
-  Counts counts;
-  return watch(scene, h, steps, counts, [&](Cloth&, double dt, State& state, Counts& now) {
+  struct {
+    Counts counts;
+  } system;
+  return watch(scene, h, steps, system, [&](Cloth&, double dt, State& state, auto& now) {
     simulator->step(dt, state);
-    now = simulator->counts();
+    now.counts = simulator->counts();
   });
 }
 

@@ -44,7 +44,7 @@ Outcome watch(TestScene scene, double h, int steps, System& system, const Step& 
     o.last = max_stretch(scene.mesh, o.end.x);
     o.peak = std::max(o.peak, o.last);
   }
-  o.indefinite = system.indefinite;
+  o.indefinite = system.counts.indefinite;
   return o;
 }
 

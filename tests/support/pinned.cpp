@@ -37,8 +37,8 @@ PinnedSheet::PinnedSheet(unsigned seed, Diagonals diagonals, const std::array<in
   pin(0, 1, all_but(Vec3::UnitX()));
   pin(2, 2, all_but(random.direction()));
   pin(3, 2, all_but(random.direction()));
-  model.stretch = Term{"stretch", 1000, 0.5};
-  model.shear = Term{"shear", 500, 0.2};
+  model.add(StretchTerm(1000, 0.5));
+  model.add(ShearTerm(500, 0.2));
   model.gravity = Vec3(0, -9.81, 0);
   cloth = make_cloth(mesh, model);
   state = disturbed(mesh, 0.3 / right, random);

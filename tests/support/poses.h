@@ -28,8 +28,8 @@ class Random {
     return d.normalized();
   }
   Mat3 rotation() {
-    const double pi = std::numbers::pi;
-    return Eigen::AngleAxisd(between(-pi, pi), direction()).toRotationMatrix();
+    return Eigen::AngleAxisd(between(-std::numbers::pi, std::numbers::pi), direction())
+        .toRotationMatrix();
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "scene/make_cloth.h"
+#include "support/bend_models.h"
 
 inline constexpr double pi = std::numbers::pi;
 inline constexpr double g = 9.81;       // m/s²
@@ -23,8 +24,8 @@ enum class Gravity { off, on };
 inline Model model(double k_stretch, double k_shear, Gravity gravity) {
   Model m;
   m.density = density;
-  if (k_stretch > 0) m.stretch = Term{"stretch", k_stretch};
-  if (k_shear > 0) m.shear = Term{"shear", k_shear};
+  if (k_stretch > 0) m.add(StretchTerm(k_stretch));
+  if (k_shear > 0) m.add(ShearTerm(k_shear));
   if (gravity == Gravity::on) m.gravity = Vec3(0, -g, 0);
   return m;
 }
@@ -157,8 +158,7 @@ inline TestScene curtain() {
 inline TestScene flap(BendModel bend_model = BendModel::dihedral) {
   const Mesh mesh = make_grid({0.5, 0.125}, {8, 2}, Diagonals::same);
   Model m = model(100, 50, Gravity::on);
-  m.bend = Term{"bend", *stiffness_of_modulus(bend_model, 0.02)};
-  m.bend_model = bend_model;
+  add_bend(m, bend_model, *stiffness_of_modulus(bend_model, 0.02));
   m.pins = where(mesh, [](double u, double) { return u < 0.1; });
   TestScene scene = at_rest(mesh, m);
   scene.end = 0.25;

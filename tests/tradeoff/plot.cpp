@@ -104,9 +104,10 @@ std::string script(const Study& study) {
       "set terminal pngcairo size 1100,720 font \"sans,13\"\n"
       "set output \"work_precision.png\"\nset logscale xy\nset key top right\n"
       "set xlabel \"time, s\"\nset ylabel \"error at the end: RMS distance / size\"\n";
-  text += "set title \"" + mesh.name +
-          format(", k = %g N/m: what accuracy costs\"\n",
-                 mesh.scene.cloth.triangles.stretch ? mesh.scene.cloth.triangles.stretch->k : 0.0);
+  text +=
+      "set title \"" + mesh.name +
+      format(", k = %g N/m: what accuracy costs\"\n",
+             mesh.scene.cloth.term<StretchTerm>() ? mesh.scene.cloth.term<StretchTerm>()->k : 0.0);
   return text + plot;
 }
 

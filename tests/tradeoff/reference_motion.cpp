@@ -19,8 +19,7 @@ class FineMotion {
  public:
   explicit FineMotion(const StudyScene& study_)
       : study(study_), cloth(study.scene.cloth),
-        simulator(
-            make_simulator({cloth.hinges.bend || cloth.quadratic_hinges.bend ? 5 : 2}, cloth)) {}
+        simulator(make_simulator({std::max(2, first_step_of(cloth))}, cloth)) {}
 
   Reference run(long steps, double by = 0) {
     struct {
@@ -38,10 +37,10 @@ class FineMotion {
     run.steps = steps;
     run.state = begun_elsewhere(by);
     cloth.hinges = study.scene.cloth.hinges;
-    cloth.hinges.follow(run.state.x);
+    follow(cloth.hinges.elements, run.state.x);
     for (long n = 0; n < steps; ++n) {
       step(study.scene.time.end / double(steps), run.state);
-      cloth.hinges.follow(run.state.x);
+      follow(cloth.hinges.elements, run.state.x);
     }
     run.energy = energy_of(cloth, run.state);
     return run;
@@ -84,7 +83,7 @@ class FineMotion {
 }  // namespace
 
 double energy_of(Cloth& cloth, const State& state) {
-  cloth.hinges.follow(state.x);
+  follow(cloth.hinges.elements, state.x);
   return energies(cloth, state).total();
 }
 

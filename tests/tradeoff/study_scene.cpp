@@ -24,15 +24,15 @@ TestScene dropped_sheet(int cells, double k) {
 
 TestScene damped_curtain(double k) {
   TestScene scene = curtain_of(k);
-  scene.cloth.triangles.stretch->kd = scene.cloth.triangles.shear->kd = 0.05;
+  scene.cloth.term<StretchTerm>()->kd = scene.cloth.term<ShearTerm>()->kd = 0.05;
   return scene;
 }
 
 // A built-in scene that was made for one k, with another.
 TestScene rescaled(TestScene scene, double k) {
-  const double factor = k / scene.cloth.triangles.stretch->k;
-  scene.cloth.triangles.stretch->k *= factor;
-  scene.cloth.triangles.shear->k *= factor;
+  const double factor = k / scene.cloth.term<StretchTerm>()->k;
+  scene.cloth.term<StretchTerm>()->k *= factor;
+  scene.cloth.term<ShearTerm>()->k *= factor;
   return scene;
 }
 
@@ -96,8 +96,23 @@ Vec2 size_of(const Mesh& grid) {
   return size;
 }
 
-void append_term(std::string& toml, const std::optional<Term>& term) {
-  if (term) toml += std::string("[") + term->name + "]\nk = " + number(term->k) + "\n";
+std::string table(std::string_view name) {
+  return "[" + std::string(name) + "]\n";
+}
+
+std::string to_toml(const std::string& key, double value) {
+  return key + " = " + number(value) + "\n";
+}
+
+// The terms of a cloth, and their damping.
+std::string terms_to_toml(const Cloth& cloth) {
+  std::string terms, damping;
+  for_each_term(cloth, [&]<class T>(const std::optional<T>& term) {
+    if (!term) return;
+    terms += table(T::info.table) + to_toml("k", term->k);
+    if (term->kd > 0) damping += to_toml(std::string(T::info.table), term->kd);
+  });
+  return terms + (damping.empty() ? "" : table("damping") + damping);
 }
 
 std::string to_toml(const TestScene& scene) {
@@ -111,13 +126,7 @@ std::string to_toml(const TestScene& scene) {
   for (const Pin& pin : scene.cloth.pins) toml += std::to_string(pin.vertex) + ", ";
   toml += "]\n";
   if (scene.cloth.gravity) toml += "[gravity]\ng = " + number(g) + "\n";
-  const auto& [stretch, shear] =
-      std::pair(scene.cloth.triangles.stretch, scene.cloth.triangles.shear);
-  append_term(toml, stretch);
-  append_term(toml, shear);
-  append_term(toml, scene.cloth.hinges.bend);
-  if (damped(scene.cloth))
-    toml += "[damping]\nstretch = " + number(stretch->kd) + "\nshear = " + number(shear->kd) + "\n";
+  toml += terms_to_toml(scene.cloth);
   toml += "[start]\npositions = \"start.obj\"\nvelocities = \"start_velocities.csv\"\n";
   return toml + "[time]\nh = " + number(scene.end / 100) + "\nend = " + number(scene.end) +
          "\nframes = 1\n";
@@ -140,7 +149,7 @@ double longer_side(const Mesh& mesh) {
 // only repeat the one before.
 void choose_steps(StudyScene& study, const Overrides& overrides) {
   const Cloth& cloth = study.scene.cloth;
-  const bool bends = cloth.hinges.bend || cloth.quadratic_hinges.bend || cloth.springs.spring;
+  const bool bends = first_step_of(cloth) == 5;
   const auto leave_out = [&](int step, const std::string& why) {
     study.not_tried.push_back(std::string(program_of(step)).substr(0, 6) + ": " + why);
   };

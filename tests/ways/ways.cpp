@@ -79,11 +79,11 @@ class Implicit : public Simulator {
   Counts counts() const override {
     Counts all = counted;
     all.forces = counted.assemblies;
-    all.indefinite = system.indefinite;
-    all.unconverged = system.unconverged;
-    if constexpr (requires { system.iterations; }) {
-      all.iterations = system.iterations;
-      all.capped = system.capped;
+    all.indefinite = system.counts.indefinite;
+    all.unconverged = system.counts.unconverged;
+    if constexpr (requires { system.counts.iterations; }) {
+      all.iterations = system.counts.iterations;
+      all.capped = system.counts.capped;
     }
     const long vector = long(sizeof(double)) * cloth.mass.size();
     all.bytes += all.forces * (bytes + 10 * vector) + all.iterations * 17 * vector;
@@ -133,9 +133,6 @@ std::unique_ptr<Simulator> make_simulator(const Way& way, Cloth& cloth) {
 }
 
 double critical_step(Simulator& simulator, const Cloth& cloth, const State& state) {
-  struct {
-    VecX f;
-  } system;
-  const auto forces = [&](const Cloth&, const State& at, auto& to) { to.f = simulator.forces(at); };
-  return critical_step(cloth, state, forces, system);
+  return critical_step(cloth, state,
+                       [&](const State& at) -> const VecX& { return simulator.forces(at); });
 }

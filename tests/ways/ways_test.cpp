@@ -10,7 +10,7 @@ namespace {
 
 TestScene damped_sheet() {
   TestScene scene = sheet(6, Held::by_two_corners, 1000, 500, Gravity::on);
-  scene.cloth.triangles.stretch->kd = 0.02;
+  scene.cloth.term<StretchTerm>()->kd = 0.02;
   return scene;
 }
 
@@ -37,7 +37,7 @@ TEST(Ways, AreTheStepsToTheLastBit) {
   for (int i = 0; i < 30; ++i) step05::time_step(scene.cloth, 0.01, state, five);
   const Result way = run({5}, scene, 0.01, 30);
   EXPECT_EQ(way.state.x, state.x);
-  EXPECT_EQ(way.counts.iterations, five.iterations);
+  EXPECT_EQ(way.counts.iterations, five.counts.iterations);
 }
 
 TEST(Ways, CountForcesOfExplicitSteps) {

@@ -1,0 +1,9 @@
+// What an implicit step counts: none of it ends a run, all of it is reported.
+#pragma once
+
+struct Counters {
+  long iterations = 0;   // of conjugate gradients
+  long indefinite = 0;   // systems with cᵀA c ≤ 0 or a pivot that is not positive
+  long capped = 0;       // systems in which conjugate gradients reached the limit of iterations
+  long unconverged = 0;  // steps in which Newton's method did not converge
+};
