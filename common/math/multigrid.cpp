@@ -47,13 +47,13 @@ Mat3 range(const Mat3& sum) {
 std::vector<Pin> coarse_pins(const std::vector<Pin>& pins,
                              const std::vector<std::vector<Parent>>& parents, int coarse) {
   std::vector<Mat3> free(parents.size(), Mat3::Identity());
-  for (const Pin& pin : pins) free[size_t(pin.vertex)] = pin.S;
+  for (const Pin& pin : pins) free[pin.vertex] = pin.S;
   std::vector<Mat3> sum(size_t(coarse), Mat3::Zero());
   for (size_t i = 0; i < parents.size(); ++i)
-    for (const Parent& parent : parents[i]) sum[size_t(parent.vertex)] += free[i];
+    for (const Parent& parent : parents[i]) sum[parent.vertex] += free[i];
   std::vector<Pin> held;
   for (int I = 0; I < coarse; ++I)
-    if (const Mat3 S = range(sum[size_t(I)]); !S.isIdentity()) held.emplace_back(I, S);
+    if (const Mat3 S = range(sum[I]); !S.isIdentity()) held.emplace_back(I, S);
   return held;
 }
 

@@ -3,7 +3,7 @@
 PinnedBlocks::PinnedBlocks(const BlockMatrix& pattern, const std::vector<Pin>& pins_)
     : pins(pins_) {
   std::vector<int> pin_of(size_t(pattern.rows()), -1);
-  for (size_t p = 0; p < pins.size(); ++p) pin_of[size_t(pins[p].vertex)] = int(p);
+  for (size_t p = 0; p < pins.size(); ++p) pin_of[pins[p].vertex] = int(p);
   for (int i = 0; i < pattern.rows(); ++i)
     for (int s = pattern.row_start[i]; s < pattern.row_start[i + 1]; ++s) {
       if (pin_of[i] >= 0) left.push_back({s, pin_of[i]});

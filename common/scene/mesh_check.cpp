@@ -26,7 +26,7 @@ void check_face(const Mesh& mesh, size_t face, const std::string& source) {
 void check_vertices(const Mesh& mesh, const std::string& source) {
   std::vector<bool> used(size_t(mesh.vertices()));
   for (const Face& f : mesh.faces)
-    for (const int i : f) used[size_t(i)] = true;
+    for (const int i : f) used[i] = true;
   const auto unused = std::find(used.begin(), used.end(), false);
   if (unused != used.end())
     throw BadInput(source + ": vertex " + std::to_string(unused - used.begin()) +

@@ -40,7 +40,7 @@ bool read_list(const toml::node& node, int count, Number* numbers, const Read& r
   const toml::array* list = node.as_array();
   if (!list || int(list->size()) != count) return false;
   for (int i = 0; i < count; ++i)
-    if (!read_one((*list)[size_t(i)], numbers[i])) return false;
+    if (!read_one((*list)[i], numbers[i])) return false;
   return true;
 }
 
