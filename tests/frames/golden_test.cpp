@@ -24,7 +24,7 @@ Image beside(const std::vector<Image>& pictures) {
 
 class GoldenFrame : public ProgramTest {};
 
-TEST_P(GoldenFrame, is_what_the_default_run_draws) {
+TEST_P(GoldenFrame, IsWhatTheDefaultRunDraws) {
   const std::filesystem::path golden = GetParam().scene().parent_path() / "frame.png";
   ASSERT_TRUE(exists(golden)) << golden << " is missing: it is still.png of the default run";
   expect_done({"--out", "out"});

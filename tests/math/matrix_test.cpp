@@ -60,7 +60,7 @@ TEST_F(Matrix, DIsTheSlopeOfTheDampingForce) {
 }
 
 // Where every thread is stretched, nothing is left out of stretch and springs.
-TEST_F(Matrix, DefiniteKIsTheSlopeToo_WhereThreadsAreStretchedAndNothingShears) {
+TEST_F(Matrix, DefiniteKIsTheSlopeTooWhereThreadsAreStretchedAndNothingShears) {
   elastic.term<ShearTerm>().reset();
   const VecX x = 1.6 * mesh.x + random.vector(int(mesh.x.size()), 0.05);
   for (const DenseCondition& c : dense_conditions(elastic, x)) ASSERT_GT(c.C, 0);

@@ -47,7 +47,7 @@ size_t elements(const Cloth& cloth) {
 
 }  // namespace
 
-TEST_F(BendScene, each_model_has_the_elements_of_its_family_and_no_others) {
+TEST_F(BendScene, EachModelHasTheElementsOfItsFamilyAndNoOthers) {
   const auto with = [&](const std::string& model) {
     const Cloth made = cloth(grid + "[bend]\nk = 0.5\n" + model);
     EXPECT_EQ(elements(made), 8u) << model;
@@ -72,7 +72,7 @@ TEST_F(BendScene, each_model_has_the_elements_of_its_family_and_no_others) {
   EXPECT_EQ(SpringBend::info.table, "bend") << "its column in the log";
 }
 
-TEST_F(BendScene, without_the_table_nothing_bends) {
+TEST_F(BendScene, WithoutTheTableNothingBends) {
   const Cloth absent = cloth(grid), left_out = cloth(grid +
                                                          "[bend]\nk = 1\n[stretch]\nk = 1\n"
                                                          "[damping]\nstretch = 2\nbend = 3\n",
@@ -88,7 +88,7 @@ TEST_F(BendScene, without_the_table_nothing_bends) {
 }
 
 // math/hinge.h says what k each model needs for a modulus.
-TEST_F(BendScene, k_follows_from_the_modulus_of_each_model) {
+TEST_F(BendScene, KFollowsFromTheModulusOfEachModel) {
   const auto with = [&](const std::string& model) {
     return cloth(grid + "[bend]\nB = 0.06\nmodel = \"" + model + "\"");
   };
@@ -98,7 +98,7 @@ TEST_F(BendScene, k_follows_from_the_modulus_of_each_model) {
   EXPECT_EQ(cloth(grid + "[bend]\nB = 0").term<DihedralBend>()->k, 0);
 }
 
-TEST_F(BendScene, damping_reaches_every_model) {
+TEST_F(BendScene, DampingReachesEveryModel) {
   for (const std::string model : model_names) {
     const Cloth c =
         cloth(grid + "[bend]\nk = 1\nmodel = \"" + model + "\"\n[damping]\nbend = 0.25");
@@ -108,13 +108,13 @@ TEST_F(BendScene, damping_reaches_every_model) {
   }
 }
 
-TEST_F(BendScene, a_grid_rests_flat_however_it_starts) {
+TEST_F(BendScene, AGridRestsFlatHoweverItStarts) {
   for (const Hinge& hinge :
        cloth(grid + "[bend]\nk = 1\n[start]\nshape = \"hanging\"").hinges.elements)
     EXPECT_EQ(hinge.rest_angle, 0);
 }
 
-TEST_F(BendScene, a_mesh_rests_at_its_angles_in_space_and_flat_where_texture_coordinates_lay_it) {
+TEST_F(BendScene, AMeshRestsAtItsAnglesInSpaceAndFlatWhereTextureCoordinatesLayIt) {
   for (const char* model : {"dihedral", "bridson"}) {
     EXPECT_NEAR(rest_angle(in_space, model), pi / 2, 1e-15);
     EXPECT_EQ(rest_angle(laid_flat, model), 0);
@@ -123,7 +123,7 @@ TEST_F(BendScene, a_mesh_rests_at_its_angles_in_space_and_flat_where_texture_coo
   }
 }
 
-TEST_F(BendScene, angles_at_rest_are_those_of_the_mesh_and_not_of_the_start) {
+TEST_F(BendScene, AnglesAtRestAreThoseOfTheMeshAndNotOfTheStart) {
   write("m.obj", in_space);
   write("start.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n");
   const Scene scene = read(with_mesh("k = 1\n[start]\npositions = \"start.obj\""), "step05_bend");
@@ -131,7 +131,7 @@ TEST_F(BendScene, angles_at_rest_are_those_of_the_mesh_and_not_of_the_start) {
   EXPECT_EQ(scene.start.x.tail<3>(), Vec3(1, 1, 0));
 }
 
-TEST_F(BendScene, models_that_rest_flat_need_texture_coordinates_on_every_face) {
+TEST_F(BendScene, ModelsThatRestFlatNeedTextureCoordinatesOnEveryFace) {
   for (const std::string model : {"quadratic", "springs"}) {
     const std::string scene = with_mesh("k = 1\nmodel = \"" + model + "\"");
     write("m.obj", laid_flat);
@@ -144,7 +144,7 @@ TEST_F(BendScene, models_that_rest_flat_need_texture_coordinates_on_every_face) 
   }
 }
 
-TEST_F(BendScene, bad_values_are_refused_with_what_is_valid) {
+TEST_F(BendScene, BadValuesAreRefusedWithWhatIsValid) {
   const auto bend = [&](const std::string& keys) { return refused(grid + "[bend]\n" + keys); };
   const std::string line = "scene.toml:10: [bend] ";
   expect_says(bend("model = \"cubic\"\nk = 1"),
@@ -161,13 +161,13 @@ TEST_F(BendScene, bad_values_are_refused_with_what_is_valid) {
               {"scene.toml:11: [bend] has no key angle", "Valid are model, k, B"});
 }
 
-TEST_F(BendScene, neither_k_nor_b_is_refused_naming_both) {
+TEST_F(BendScene, NeitherKNorBIsRefusedNamingBoth) {
   for (const std::string keys : {"", "model = \"bridson\""})
     expect_says(refused(grid + "[bend]\n" + keys),
                 {"scene.toml:9: [bend] needs k = a number not less than 0, or B, the modulus"});
 }
 
-TEST_F(BendScene, damping_without_the_table_is_refused_with_what_the_step_knows) {
+TEST_F(BendScene, DampingWithoutTheTableIsRefusedWithWhatTheStepKnows) {
   const std::string scene = grid + "[stretch]\nk = 1\n[damping]\nbend = 1";
   expect_says(refused(scene),
               {"scene.toml:12: [damping] bend = 1", "no [bend] to damp; add [bend]"});

@@ -30,7 +30,7 @@ Vec3 normal(const Mesh& mesh, const Face& f) {
   return Vec3(mesh.x.segment<3>(3 * f[1]) - x0).cross(Vec3(mesh.x.segment<3>(3 * f[2]) - x0));
 }
 
-TEST_F(MeshTest, a_grid_is_numbered_row_by_row_from_the_bottom_left) {
+TEST_F(MeshTest, AGridIsNumberedRowByRowFromTheBottomLeft) {
   const Mesh grid = make_grid({3, 8}, {3, 4}, Diagonals::same);
   ASSERT_EQ(grid.vertices(), 20);
   for (int j = 0; j <= 4; ++j)
@@ -39,7 +39,7 @@ TEST_F(MeshTest, a_grid_is_numbered_row_by_row_from_the_bottom_left) {
   EXPECT_EQ(grid.faces.size(), 24u);
 }
 
-TEST_F(MeshTest, the_two_diagonals_are_those_of_the_drawing) {
+TEST_F(MeshTest, TheTwoDiagonalsAreThoseOfTheDrawing) {
   const Mesh same = make_grid({2, 1}, {2, 1}, Diagonals::same);
   EXPECT_EQ(same.faces, (std::vector<Face>{{0, 1, 3}, {4, 3, 1}, {1, 2, 4}, {5, 4, 2}}));
   const Mesh alternating = make_grid({2, 2}, {2, 2}, Diagonals::alternating);
@@ -49,7 +49,7 @@ TEST_F(MeshTest, the_two_diagonals_are_those_of_the_drawing) {
           {0, 1, 3}, {4, 3, 1}, {1, 2, 5}, {1, 5, 4}, {3, 4, 7}, {3, 7, 6}, {4, 5, 7}, {8, 7, 5}}));
 }
 
-TEST_F(MeshTest, every_triangle_of_a_grid_shows_its_front_upwards_and_turns_with_u_and_v) {
+TEST_F(MeshTest, EveryTriangleOfAGridShowsItsFrontUpwardsAndTurnsWithUAndV) {
   const Mesh grid = make_grid({1, 2}, {3, 4}, Diagonals::alternating);
   for (size_t face = 0; face < grid.faces.size(); ++face) {
     EXPECT_GT(normal(grid, grid.faces[face]).y(), 0);
@@ -60,7 +60,7 @@ TEST_F(MeshTest, every_triangle_of_a_grid_shows_its_front_upwards_and_turns_with
   }
 }
 
-TEST_F(MeshTest, rest_areas_and_masses_add_up_to_those_of_the_sheet) {
+TEST_F(MeshTest, RestAreasAndMassesAddUpToThoseOfTheSheet) {
   for (const Diagonals d : {Diagonals::same, Diagonals::alternating}) {
     const Mesh grid = make_grid({0.7, 1.3}, {7, 11}, d);
     const Cloth cloth = make_cloth(grid, {.density = 0.2, .pins = {3}});
@@ -71,14 +71,14 @@ TEST_F(MeshTest, rest_areas_and_masses_add_up_to_those_of_the_sheet) {
   }
 }
 
-TEST_F(MeshTest, a_cloth_has_triangles_only_for_stretch_or_shear) {
+TEST_F(MeshTest, AClothHasTrianglesOnlyForStretchOrShear) {
   const Mesh grid = make_grid({1, 1}, {2, 2}, Diagonals::same);
   EXPECT_TRUE(make_cloth(grid, {}).triangles.elements.empty());
   EXPECT_EQ(make_cloth(grid, Model().add(StretchTerm(1))).triangles.elements.size(), 8u);
   EXPECT_EQ(make_cloth(grid, Model().add(ShearTerm(1))).triangles.elements.size(), 8u);
 }
 
-TEST_F(MeshTest, a_grid_beyond_memory_is_refused_before_anything_is_allocated) {
+TEST_F(MeshTest, AGridBeyondMemoryIsRefusedBeforeAnythingIsAllocated) {
   expect_says(message([] {
                 make_grid({1, 1}, {2147483647, 2147483647}, Diagonals::same);
               }),
@@ -99,7 +99,7 @@ const std::string seam =
     "vn 0 0 1\nvt 0 0\nvt 1 0\nvt +0 1 0\nvt 5 5\nvt 6 5\nvt 6 6\n"
     "g front\ns 1\nusemtl red\nf 1/1/1 2/2/1 3/3/1\ng back\nf -3/-2 -1/-1 -2/-3\n";
 
-TEST_F(MeshTest, texture_coordinates_belong_to_face_corners_so_that_seams_keep_both_sides) {
+TEST_F(MeshTest, TextureCoordinatesBelongToFaceCornersSoThatSeamsKeepBothSides) {
   const Mesh mesh = read_obj(write("seam.obj", seam));
   EXPECT_EQ(mesh.faces, (std::vector<Face>{{0, 1, 2}, {1, 3, 2}}));
   EXPECT_EQ(mesh.rest[0], (std::array{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}));
@@ -107,7 +107,7 @@ TEST_F(MeshTest, texture_coordinates_belong_to_face_corners_so_that_seams_keep_b
   EXPECT_EQ(mesh.x.segment<3>(9), Vec3(1, 1, 1));
 }
 
-TEST_F(MeshTest, without_texture_coordinates_the_rest_shape_is_the_triangle_itself_laid_flat) {
+TEST_F(MeshTest, WithoutTextureCoordinatesTheRestShapeIsTheTriangleItselfLaidFlat) {
   const Mesh mesh =
       read_obj(write("m.obj", "v 1 1 1\nv 1 4 1\nv 1 1 5\nv 2 2 9\nf 1 2 3\nf 1//1 3//1 4//1"));
   EXPECT_EQ(mesh.rest[0], (std::array{Vec2(0, 0), Vec2(3, 0), Vec2(0, 4)}));
@@ -130,7 +130,7 @@ void expect_same_rest(const Mesh& a, const Mesh& b) {
           << "face " << f;
 }
 
-TEST_F(MeshTest, an_obj_file_comes_back_to_the_last_digit) {
+TEST_F(MeshTest, AnObjFileComesBackToTheLastDigit) {
   const Mesh mesh = read_obj(write("seam.obj", seam));
   const VecX x = VecX::Random(12).array() * 1e-3 + 1.0 / 3;
   write_obj(directory / "out.obj", mesh, x);
@@ -149,7 +149,7 @@ TEST_F(MeshTest, an_obj_file_comes_back_to_the_last_digit) {
   EXPECT_EQ(vt, 32u) << "one per vertex where there is no seam";
 }
 
-TEST_F(MeshTest, velocities_come_back_bit_for_bit) {
+TEST_F(MeshTest, VelocitiesComeBackBitForBit) {
   VecX v = VecX::Random(30) / 3;
   v.head<4>() << 5e-324, -1.7976931348623157e308, -0.0, 0.1;
   write_velocities(directory / "v.csv", v);
@@ -157,7 +157,7 @@ TEST_F(MeshTest, velocities_come_back_bit_for_bit) {
   EXPECT_EQ(std::memcmp(back.data(), v.data(), 30 * sizeof(double)), 0);
 }
 
-TEST_F(MeshTest, a_file_that_cannot_be_written_leaves_nothing_and_says_why) {
+TEST_F(MeshTest, AFileThatCannotBeWrittenLeavesNothingAndSaysWhy) {
   const auto why = [](const std::filesystem::path& path) -> std::string {
     try {
       write_text(path, "text");
@@ -180,7 +180,7 @@ struct BadObj {
   std::string text, said, valid;
 };
 
-TEST_F(MeshTest, what_is_no_mesh_of_triangles_is_refused_with_file_line_and_reason) {
+TEST_F(MeshTest, WhatIsNoMeshOfTrianglesIsRefusedWithFileLineAndReason) {
   const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\n";  // five lines
   const BadObj bad_objs[] = {
       {"", "m.obj: no faces", "triangles"},
@@ -216,7 +216,7 @@ TEST_F(MeshTest, what_is_no_mesh_of_triangles_is_refused_with_file_line_and_reas
     expect_says(message([&] { read_obj(write("m.obj", bad.text)); }), {bad.said, bad.valid});
 }
 
-TEST_F(MeshTest, a_sliver_is_refused_by_its_shape_and_not_by_its_size) {
+TEST_F(MeshTest, ASliverIsRefusedByItsShapeAndNotByItsSize) {
   EXPECT_TRUE(has_area({Vec2(0, 0), Vec2(1e-9, 0), Vec2(0, 1e-9)}));
   EXPECT_TRUE(has_area({Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1e-11)}));
   EXPECT_FALSE(has_area({Vec2(0, 0), Vec2(1, 0), Vec2(0.5, 1e-12)}));
@@ -227,7 +227,7 @@ TEST_F(MeshTest, a_sliver_is_refused_by_its_shape_and_not_by_its_size) {
 // Garments with seams, for trying only: beside the source tree of whoever has them.
 class Garment : public SceneFiles, public testing::WithParamInterface<const char*> {};
 
-TEST_P(Garment, has_the_mass_of_its_pattern_and_comes_back_to_the_last_digit) {
+TEST_P(Garment, HasTheMassOfItsPatternAndComesBackToTheLastDigit) {
   const std::filesystem::path path =
       std::filesystem::path(__FILE__).parent_path() / "../../../shared/meshes" / GetParam();
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";

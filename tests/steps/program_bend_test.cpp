@@ -36,7 +36,7 @@ std::string curtain_with(const std::string& bend, const std::string& damping) {
 }  // namespace
 
 // With the k that gives all of them one modulus; springs have none.
-TEST_F(BendProgram, four_models_draw_four_curtains) {
+TEST_F(BendProgram, FourModelsDrawFourCurtains) {
   std::vector<std::string> states;
   for (const std::string model : {"dihedral", "bridson", "quadratic", "springs"}) {
     const std::string stiffness = model == "springs" ? "k = 1" : "B = 0.0001";
@@ -50,7 +50,7 @@ TEST_F(BendProgram, four_models_draw_four_curtains) {
   }
 }
 
-TEST_F(BendProgram, without_bending_it_is_step04) {
+TEST_F(BendProgram, WithoutBendingItIsStep04) {
   const std::string scene = step05.scene();
   run_to("five", step05, {scene, "--without", "bend"});
   run_to("four", program_called("step04_cg"), {scene, "--without", "bend"});
@@ -59,7 +59,7 @@ TEST_F(BendProgram, without_bending_it_is_step04) {
             columns_of(read_all(directory / "four/log.csv")));
 }
 
-TEST_F(BendProgram, its_rings_have_no_numbers_on_other_cells) {
+TEST_F(BendProgram, ItsRingsHaveNoNumbersOnOtherCells) {
   const Outcome refused = run(step05, {"--cells", "24", "--out", "out"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_EQ(lines_of(refused.err).size(), 1u) << refused.err;

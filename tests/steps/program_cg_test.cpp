@@ -69,7 +69,7 @@ void expect_says(const std::string& out, const std::string& part) {
 
 }  // namespace
 
-TEST_P(ConjugateGradients, help_lists_their_options_and_the_default_of_each) {
+TEST_P(ConjugateGradients, HelpListsTheirOptionsAndTheDefaultOfEach) {
   const std::string help = run({"--help"}).out;
   for (const char* said :
        {"--preconditioner none|jacobi|block|ic|multigrid", "--tolerance E", "--max-iterations N"})
@@ -81,7 +81,7 @@ TEST_P(ConjugateGradients, help_lists_their_options_and_the_default_of_each) {
   EXPECT_EQ(help.find("--solver"), std::string::npos);
 }
 
-TEST_P(ConjugateGradients, preconditioners_agree_and_the_better_ones_need_fewer_iterations) {
+TEST_P(ConjugateGradients, PreconditionersAgreeAndTheBetterOnesNeedFewerIterations) {
   double before = 1e300;
   for (const std::string name : preconditioners) {
     const Outcome outcome = run_to(
@@ -99,7 +99,7 @@ TEST_P(ConjugateGradients, preconditioners_agree_and_the_better_ones_need_fewer_
   }
 }
 
-TEST_P(ConjugateGradients, mean_of_the_iterations_is_that_of_the_log) {
+TEST_P(ConjugateGradients, MeanOfTheIterationsIsThatOfTheLog) {
   const Outcome outcome = run_to("out", small_square(8, {"--end", "0.2"}));
   char mean[64];
   std::snprintf(mean, sizeof mean, "  %.1f iterations of", last("out", "iterations") / 20);
@@ -108,7 +108,7 @@ TEST_P(ConjugateGradients, mean_of_the_iterations_is_that_of_the_log) {
               "conjugate gradients per step");
 }
 
-TEST_P(ConjugateGradients, tolerance_is_the_error_that_is_left) {
+TEST_P(ConjugateGradients, ToleranceIsTheErrorThatIsLeft) {
   const auto with = [&](const std::string& tolerance) {
     EXPECT_EQ(run_to(tolerance, small_square(8, {"--end", "0.4", "--tolerance", tolerance})).code,
               0);
@@ -120,7 +120,7 @@ TEST_P(ConjugateGradients, tolerance_is_the_error_that_is_left) {
   EXPECT_LT(fine, 0.01 * loose);
 }
 
-TEST_P(ConjugateGradients, multigrid_names_another_preconditioner_for_what_it_cannot_halve) {
+TEST_P(ConjugateGradients, MultigridNamesAnotherPreconditionerForWhatItCannotHalve) {
   const std::string instead = "--preconditioner ic";
   expect_refused(small_square(7, {"--preconditioner", "multigrid"}), {"7 x 7", "halved", instead});
   write("mesh.toml", mesh_scene);
@@ -129,7 +129,7 @@ TEST_P(ConjugateGradients, multigrid_names_another_preconditioner_for_what_it_ca
   EXPECT_EQ(run_to("ic", {"mesh.toml", "--preconditioner", "ic"}).code, 0);
 }
 
-TEST_P(ConjugateGradients, options_out_of_range_are_refused_with_what_is_valid) {
+TEST_P(ConjugateGradients, OptionsOutOfRangeAreRefusedWithWhatIsValid) {
   expect_refused({"--preconditioner", "ilu"}, {"--preconditioner", "ilu", "multigrid"});
   for (const char* tolerance : {"0", "-1e-4", "nan", "1", "2", "inf", "small"})
     expect_refused({"--tolerance", tolerance},
@@ -139,7 +139,7 @@ TEST_P(ConjugateGradients, options_out_of_range_are_refused_with_what_is_valid) 
   expect_refused({"--solver", "ldlt"}, {"--solver", "--help"});
 }
 
-TEST_P(ConjugateGradients, stopped_too_early_are_counted_and_said) {
+TEST_P(ConjugateGradients, StoppedTooEarlyAreCountedAndSaid) {
   const Outcome outcome =
       run_to("out", small_square(8, {"--end", "0.2", "--frames", "4", "--max-iterations", "2"}));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -154,7 +154,7 @@ TEST_P(ConjugateGradients, stopped_too_early_are_counted_and_said) {
 
 // The matrix as it is printed: for 0.2 s the program goes on with what it has, then the cloth bursts. Not
 // with bending, which keeps this cloth from it.
-TEST_P(ConjugateGradients, indefinite_systems_are_counted_and_said) {
+TEST_P(ConjugateGradients, IndefiniteSystemsAreCountedAndSaid) {
   const auto until = [&](const std::string& end) {
     return run_to(
         end, small_square(24, {"--without", "bend", "--jacobian", "bw98", "--h", "0.02",
@@ -176,7 +176,7 @@ TEST_P(ConjugateGradients, indefinite_systems_are_counted_and_said) {
 }
 
 // Steps far too long for the plain step, and not for Newton's method; bending, again, would help.
-TEST_P(ConjugateGradients, that_explode_name_newtons_method_and_it_helps) {
+TEST_P(ConjugateGradients, ThatExplodeNameNewtonsMethodAndItHelps) {
   Arguments drop =
       small_square(8, {"--without", "bend", "--h", "4", "--end", "40", "--frames", "10"});
   const Outcome exploded = run_to("plain", drop);
@@ -191,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, ConjugateGradients, testing::ValuesIn(iterati
 
 using PinTables = ConjugateGradients;
 
-TEST_P(PinTables, move_their_vertices_with_their_velocity) {
+TEST_P(PinTables, MoveTheirVerticesWithTheirVelocity) {
   write("scene.toml", scene_with("'top left', {vertex = 'top right', velocity = [-0.2, 0.5, 0]}"));
   const Outcome outcome = run_to("out", {"scene.toml"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -201,7 +201,7 @@ TEST_P(PinTables, move_their_vertices_with_their_velocity) {
   EXPECT_LT(position("out", 0).y(), -0.1) << "the rest hangs on them";
 }
 
-TEST_P(PinTables, hold_the_directions_that_they_fix_and_leave_the_others_free) {
+TEST_P(PinTables, HoldTheDirectionsThatTheyFixAndLeaveTheOthersFree) {
   write("scene.toml", scene_with("'top left', {vertex = 24, fix = 'y'}, "
                                  "{vertex = 0, fix = [0, 3, 4], velocity = [0, 0.3, 0.4]}"));
   EXPECT_EQ(run_to("out", {"scene.toml"}).code, 0);
@@ -213,7 +213,7 @@ TEST_P(PinTables, hold_the_directions_that_they_fix_and_leave_the_others_free) {
   EXPECT_GT((left - left.dot(p) * p).norm(), 1e-3) << "it slides across its direction";
 }
 
-TEST_P(PinTables, that_hold_all_do_as_names_do) {
+TEST_P(PinTables, ThatHoldAllDoAsNamesDo) {
   write("names.toml", scene_with("'top left', 24"));
   write("tables.toml", scene_with("{vertex = 20, fix = 'xyz'}, {vertex = 'top right'}"));
   for (const std::string name : {"names", "tables"})
@@ -222,7 +222,7 @@ TEST_P(PinTables, that_hold_all_do_as_names_do) {
 }
 
 // A pin that lifts the cloth does work; one that stands still does not.
-TEST_P(PinTables, that_move_do_not_count_as_energy_gained) {
+TEST_P(PinTables, ThatMoveDoNotCountAsEnergyGained) {
   const auto gained = [&](const std::string& out, const std::string& velocity) {
     write("scene.toml", scene_with("{vertex = 'top', velocity = " + velocity + "}"));
     const Outcome outcome = run_to(out, {"scene.toml"});
@@ -236,7 +236,7 @@ TEST_P(PinTables, that_move_do_not_count_as_energy_gained) {
   EXPECT_LT(gained("held", "[0, 0, 0]"), 0);
 }
 
-TEST_P(PinTables, hold_what_newton_moves) {
+TEST_P(PinTables, HoldWhatNewtonMoves) {
   write("scene.toml", scene_with("'top left', {vertex = 'top right', velocity = [-0.2, 0.5, 0]}, "
                                  "{vertex = 0, fix = 'y'}"));
   EXPECT_EQ(run_to("out", {"scene.toml", "--newton", "20"}).code, 0);
@@ -250,7 +250,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, PinTables, testing::ValuesIn(iterative_progra
 // Without a factorisation, the same cloth. In 200 steps until 1 s: from the folds of the second second
 // on every difference grows tenfold in 0.2 s, and even the direct solvers of step 3 part by 1e-5 m.
 // The blocks see less of the error in what they leave, so they get a smaller tolerance.
-TEST_F(ProgramDirectory, step04_ends_where_step03_ends) {
+TEST_F(ProgramDirectory, Step04EndsWhereStep03Ends) {
   const auto positions = [&](const std::string& program, const Arguments& more) {
     Arguments arguments = {"--h", "0.005", "--no-pictures", "--out", "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());

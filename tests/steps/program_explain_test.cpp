@@ -66,7 +66,7 @@ class ExplainIterative : public Explain {};
 
 }  // namespace
 
-TEST_P(Explain, is_one_screen_and_writes_nothing) {
+TEST_P(Explain, IsOneScreenAndWritesNothing) {
   for (const Arguments& arguments :
        {small_square(6, {"--end", "0.2"}), Arguments{GetParam().scene(), "--end", "0.01"}}) {
     Arguments all = arguments;
@@ -85,14 +85,14 @@ TEST_P(Explain, is_one_screen_and_writes_nothing) {
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
 }
 
-TEST_P(Explain, names_no_term_that_is_not_there) {
+TEST_P(Explain, NamesNoTermThatIsNotThere) {
   const std::string with = page(square({"--end", "0.02"}));
   const std::string without = page(square({"--end", "0.02", "--without", "shear"}));
   EXPECT_NE(with.find("shear"), std::string::npos);
   EXPECT_EQ(without.find("shear"), std::string::npos) << without;
 }
 
-TEST_P(Explain, error_of_h_is_that_to_a_fine_h) {
+TEST_P(Explain, ErrorOfHIsThatToAFineH) {
   const std::string said = page(square({"--end", "0.3"}));
   const std::string time = found(said, R"(t = (\S+) s: [0-9.]+ mm, .*order seen)");
   const double error = number(said, R"(t = \S+ s: (\S+) mm, .*order seen)") / 1000;
@@ -103,7 +103,7 @@ TEST_P(Explain, error_of_h_is_that_to_a_fine_h) {
   EXPECT_GT(measured, 1e-5);
 }
 
-TEST_P(Explain, what_is_left_out_moves_the_cloth_as_far_as_it_says) {
+TEST_P(Explain, WhatIsLeftOutMovesTheClothAsFarAsItSays) {
   const Arguments arguments = square({"--end", "0.1"});
   const std::string said = page(arguments), time = found(said, R"(by t = (\S+) s\n)");
   int compared = 0;
@@ -117,7 +117,7 @@ TEST_P(Explain, what_is_left_out_moves_the_cloth_as_far_as_it_says) {
   EXPECT_GE(compared, 2) << said;
 }
 
-TEST_P(ExplainExplicit, an_explosion_is_said_in_its_line) {
+TEST_P(ExplainExplicit, AnExplosionIsSaidInItsLine) {
   const Arguments too_long = small_square(10, {"--h", "0.002"});
   const std::string said = page(too_long);
   EXPECT_NE(said.find("the cloth explodes by t = "), std::string::npos) << said;
@@ -127,14 +127,14 @@ TEST_P(ExplainExplicit, an_explosion_is_said_in_its_line) {
             number(said, R"(explodes by t = (\S+) s)"));
 }
 
-TEST_P(ExplainExplicit, says_the_critical_step_of_a_run) {
+TEST_P(ExplainExplicit, SaysTheCriticalStepOfARun) {
   const Arguments arguments = square({"--end", "0.02"});
   const std::string line = found(results("out", arguments).out, R"((stable below h_crit = .*)\n)");
   EXPECT_NE(page(arguments).find("    " + line + "\n"), std::string::npos) << line;
 }
 
 // Without a term the step may be longer, by what a run without it says.
-TEST_P(ExplainExplicit, says_the_critical_step_without_a_term) {
+TEST_P(ExplainExplicit, SaysTheCriticalStepWithoutATerm) {
   const std::string said = page(square({"--end", "0.02"}));
   for (const std::string table : {"stretch", "shear"})
     EXPECT_EQ(found(said, "without " + table + R"( (\S+) s)"),
@@ -143,12 +143,12 @@ TEST_P(ExplainExplicit, says_the_critical_step_without_a_term) {
 }
 
 // An implicit step would also have to know where its elements lie in the matrix.
-TEST_P(ExplainExplicit, counts_the_bytes_of_its_triangles) {
+TEST_P(ExplainExplicit, CountsTheBytesOfItsTriangles) {
   const std::string said = page(square({"--end", "0.02"}));
   EXPECT_EQ(number(said, R"(triangles .* (\d+) B  what stretch)"), 72 * sizeof(Triangle));
 }
 
-TEST_P(ExplainIterative, counts_the_iterations_of_a_run) {
+TEST_P(ExplainIterative, CountsTheIterationsOfARun) {
   const Arguments arguments = square({"--end", "0.1"});
   EXPECT_EQ(found(page(arguments), R"((\S+) iterations;)"),
             found(results("out", arguments).out, R"((\S+) iterations of)"));
@@ -182,7 +182,7 @@ class ExplainBend : public ProgramDirectory {
 }  // namespace
 
 // A damping that has no option of its own: its line is taken out of the scene.
-TEST_F(ExplainBend, bending_and_the_damping_of_one_term_move_the_cloth_as_far_as_it_says) {
+TEST_F(ExplainBend, BendingAndTheDampingOfOneTermMoveTheClothAsFarAsItSays) {
   write("scene.toml", damped_and_bending);
   std::string undamped = damped_and_bending;
   undamped.resize(undamped.find("bend = 0.001"));

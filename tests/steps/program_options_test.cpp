@@ -31,7 +31,7 @@ std::vector<unsigned char> left_part(const Image& image) {
 
 }  // namespace
 
-TEST_P(OptionsTest, help_lists_every_option) {
+TEST_P(OptionsTest, HelpListsEveryOption) {
   const Outcome help = run({"--help"});
   EXPECT_EQ(help.code, 0);
   EXPECT_EQ(help.err, "");
@@ -43,7 +43,7 @@ TEST_P(OptionsTest, help_lists_every_option) {
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
 }
 
-TEST_P(OptionsTest, version_is_one_line_with_the_name_of_the_program) {
+TEST_P(OptionsTest, VersionIsOneLineWithTheNameOfTheProgram) {
   const Outcome version = run({"--version"});
   EXPECT_EQ(version.code, 0);
   EXPECT_TRUE(
@@ -51,13 +51,13 @@ TEST_P(OptionsTest, version_is_one_line_with_the_name_of_the_program) {
       << version.out;
 }
 
-TEST_P(OptionsTest, results_go_to_a_directory_named_after_the_program) {
+TEST_P(OptionsTest, ResultsGoToADirectoryNamedAfterTheProgram) {
   expect_done(small_square(4, {"--end", "0.01", "--no-pictures"}));
   EXPECT_EQ(files_in(directory), std::vector<std::string>{"out"});
   EXPECT_EQ(files_in(directory / "out"), std::vector<std::string>{GetParam().name});
 }
 
-TEST_P(OptionsTest, export_writes_one_mesh_per_frame) {
+TEST_P(OptionsTest, ExportWritesOneMeshPerFrame) {
   const std::filesystem::path out =
       results("out", 6, {"--frames", "4", "--export", "obj", "--no-pictures"});
   EXPECT_EQ(count_starting(files_in(out), "frame_", ".obj"), 5);
@@ -72,7 +72,7 @@ TEST_P(OptionsTest, export_writes_one_mesh_per_frame) {
   EXPECT_EQ(read_all(out / "frame_0004.obj"), read_all(out / "final.obj"));
 }
 
-TEST_P(OptionsTest, frames_end_and_cells_replace_those_of_the_scene) {
+TEST_P(OptionsTest, FramesEndAndCellsReplaceThoseOfTheScene) {
   expect_done(small_square(5, {"--frames", "3", "--end", "0.02", "--no-pictures", "--out", "out"}));
   const Table log = read_table(directory / "out/log.csv");
   EXPECT_EQ(log.at("frame"), (std::vector<double>{0, 1, 2, 3}));
@@ -80,7 +80,7 @@ TEST_P(OptionsTest, frames_end_and_cells_replace_those_of_the_scene) {
   EXPECT_EQ(read_obj(directory / "out/final.obj").vertices(), 36);
 }
 
-TEST_P(OptionsTest, h_replaces_that_of_the_scene) {
+TEST_P(OptionsTest, HReplacesThatOfTheScene) {
   const auto said = [&](const char* h) {
     return run(small_square(5, {"--end", "0.02", "--h", h, "--no-pictures"})).out;
   };
@@ -88,21 +88,21 @@ TEST_P(OptionsTest, h_replaces_that_of_the_scene) {
   EXPECT_NE(said("0.00005").find("h = 5e-05 s, 400 steps"), std::string::npos);
 }
 
-TEST_P(OptionsTest, without_gravity_a_flat_cloth_stays_where_it_is) {
+TEST_P(OptionsTest, WithoutGravityAFlatClothStaysWhereItIs) {
   const std::filesystem::path out = results("out", 5, {"--without", "gravity", "--no-pictures"});
   const Table log = read_table(out / "log.csv");
   EXPECT_NEAR(log.at("lowest").back(), 0, 1e-12);
   EXPECT_EQ(log.at("gravitational").back(), 0);
 }
 
-TEST_P(OptionsTest, without_a_term_its_column_is_gone) {
+TEST_P(OptionsTest, WithoutATermItsColumnIsGone) {
   const std::filesystem::path out = results("out", 5, {"--without", "shear", "--no-pictures"});
   const Table log = read_table(out / "log.csv");
   EXPECT_EQ(log.count("shear"), 0u);
   EXPECT_EQ(log.count("stretch"), 1u);
 }
 
-TEST_P(OptionsTest, each_look_draws_another_picture_of_the_asked_size) {
+TEST_P(OptionsTest, EachLookDrawsAnotherPictureOfTheAskedSize) {
   const std::vector<Arguments> looks = {
       {}, {"--strain", "0.1"}, {"--wireframe"}, {"--caption"}, {"--strain", "0.01"}};
   std::vector<Image> frames, stills;
@@ -127,7 +127,7 @@ TEST_P(OptionsTest, each_look_draws_another_picture_of_the_asked_size) {
 }
 
 // The film shows the start, the end and the frames between: more of the picture than one frame.
-TEST_P(OptionsTest, film_holds_all_frames_of_a_short_run) {
+TEST_P(OptionsTest, FilmHoldsAllFramesOfAShortRun) {
   const std::filesystem::path out = results("out", 8, {"--frames", "3", "--size", "160x90"});
   const Image film = read_png(out / "film.png");
   EXPECT_GE(film.width, 4 * 160);
@@ -135,7 +135,7 @@ TEST_P(OptionsTest, film_holds_all_frames_of_a_short_run) {
 }
 
 // … and neither when nor where: the same run gives the same bytes on every day and machine.
-TEST_P(OptionsTest, pictures_say_what_made_them) {
+TEST_P(OptionsTest, PicturesSayWhatMadeThem) {
   const std::filesystem::path out =
       results("out", 8, {"--frames", "2", "--h", "0.0001", "--size", "160x90", "--caption"});
   const std::vector<std::pair<std::string, std::string>> pictures = {

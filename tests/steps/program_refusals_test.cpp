@@ -146,7 +146,7 @@ void expect_one_line(const Outcome& outcome, const std::vector<std::string>& say
 using BadInput = std::tuple<StepProgram, BadInputCase>;
 class BadInputTest : public ProgramDirectory, public testing::WithParamInterface<BadInput> {};
 
-TEST_P(BadInputTest, is_refused_in_one_line_and_nothing_is_written) {
+TEST_P(BadInputTest, IsRefusedInOneLineAndNothingIsWritten) {
   const auto& [program, bad] = GetParam();
   if (!bad.scene.empty()) write("scene.toml", bad.scene);
   if (!bad.mesh.empty()) write("mesh.obj", bad.mesh);
@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, BadInputTest,
                          bad_name);
 
 // Else the cases above could be refused for another reason than theirs.
-TEST_P(ProgramTest, accepts_the_scene_that_the_bad_ones_are_made_from) {
+TEST_P(ProgramTest, AcceptsTheSceneThatTheBadOnesAreMadeFrom) {
   write("scene.toml", scene);
   expect_done({"scene.toml", "--no-pictures"});
   write("scene.toml", mesh_scene);
@@ -173,7 +173,7 @@ TEST_P(ProgramTest, accepts_the_scene_that_the_bad_ones_are_made_from) {
   expect_done({"scene.toml", "--no-pictures"});
 }
 
-TEST_P(ProgramTest, takes_tables_of_pins_only_where_conjugate_gradients_filter_them) {
+TEST_P(ProgramTest, TakesTablesOfPinsOnlyWhereConjugateGradientsFilterThem) {
   write("pins.toml",
         replaced(scene, "[\"top left\"]", "[\"top left\", {vertex = 4, fix = \"y\"}]"));
   if (GetParam().is_iterative()) return expect_done({"pins.toml", "--no-pictures"});
@@ -183,7 +183,7 @@ TEST_P(ProgramTest, takes_tables_of_pins_only_where_conjugate_gradients_filter_t
   EXPECT_EQ(files_in(directory), std::vector<std::string>{"pins.toml"});
 }
 
-TEST_P(ProgramTest, names_the_step_that_teaches_a_table_and_runs_without_it) {
+TEST_P(ProgramTest, NamesTheStepThatTeachesATableAndRunsWithoutIt) {
   struct Later {
     std::string table, first_step, text;
   };

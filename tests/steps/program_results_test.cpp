@@ -66,7 +66,7 @@ const Golden* golden_of(const StepProgram& program) {
 
 }  // namespace
 
-TEST_P(ProgramTest, logs_a_row_per_frame_and_leaves_the_last_state) {
+TEST_P(ProgramTest, LogsARowPerFrameAndLeavesTheLastState) {
   const double h = 0.0002, end = 0.1;
   const int steps = 500, frames = 7;
   expect_done(small_square(
@@ -100,7 +100,7 @@ TEST_P(ProgramTest, logs_a_row_per_frame_and_leaves_the_last_state) {
   EXPECT_NEAR(log.at("lowest").back(), lowest, 1e-11) << "log and final.obj show one state";
 }
 
-TEST_P(ProgramTest, computes_the_golden_numbers_of_its_default_run) {
+TEST_P(ProgramTest, ComputesTheGoldenNumbersOfItsDefaultRun) {
   const Golden* golden = golden_of(GetParam());
   ASSERT_TRUE(golden) << "measure them for " << GetParam().name;
   expect_done({"--end", "0.25", "--no-pictures", "--out", "out"});
@@ -117,7 +117,7 @@ TEST_P(ProgramTest, computes_the_golden_numbers_of_its_default_run) {
 
 // Weight times size is 2.8 J, and no pin moves. What symplectic Euler gains and loses on the way goes with h and does
 // not grow: 3e-4 J measured. Damping may lose more.
-TEST_P(ProgramTest, gains_no_energy_while_it_falls) {
+TEST_P(ProgramTest, GainsNoEnergyWhileItFalls) {
   expect_done({GetParam().square(), "--no-pictures", "--out", "out"});
   const Table log = read_table(directory / "out/log.csv");
   const std::vector<double>& total = log.at("total");
@@ -130,7 +130,7 @@ TEST_P(ProgramTest, gains_no_energy_while_it_falls) {
   EXPECT_EQ(log.at("gained").back(), 0);
 }
 
-TEST_P(ProgramTest, run_twice_gives_the_same_bytes) {
+TEST_P(ProgramTest, RunTwiceGivesTheSameBytes) {
   for (const char* out : {"a", "b"})
     expect_done(
         small_square(8, {"--frames", "3", "--end", "0.3", "--size", "160x90", "--out", out}));
@@ -151,7 +151,7 @@ TEST_P(ProgramTest, run_twice_gives_the_same_bytes) {
 
 // A step knows nothing of the time before it, and 17 significant digits keep its state. To rounding,
 // as the reader of OBJ files may miss the last bit.
-TEST_P(ProgramTest, continued_from_its_last_state_ends_where_one_run_ends) {
+TEST_P(ProgramTest, ContinuedFromItsLastStateEndsWhereOneRunEnds) {
   write("continued.toml", read_all(GetParam().square()) +
                               "[start]\npositions = \"half/final.obj\"\n"
                               "velocities = \"half/final_velocities.csv\"\n");

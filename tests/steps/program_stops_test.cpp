@@ -53,7 +53,7 @@ class ExplosionTest : public StopsTest {};
 
 }  // namespace
 
-TEST_P(StopsTest, full_disk_is_named_with_file_and_reason_and_leaves_no_part_of_it) {
+TEST_P(StopsTest, FullDiskIsNamedWithFileAndReasonAndLeavesNoPartOfIt) {
   expect_full_disk(1500, "log.csv", {"--frames", "100", "--no-pictures"});
   expect_full_disk(1500, "frame_0000.png", {"--size", "160x90"});
   expect_full_disk(1500, "frame_0000.obj", {"--frames", "2", "--no-pictures", "--export", "obj"});
@@ -61,7 +61,7 @@ TEST_P(StopsTest, full_disk_is_named_with_file_and_reason_and_leaves_no_part_of_
 }
 
 // Where not even the header of log.csv fits, nothing has started.
-TEST_P(StopsTest, disk_that_is_full_from_the_start_is_refused) {
+TEST_P(StopsTest, DiskThatIsFullFromTheStartIsRefused) {
   const Outcome full = run(small_square(8, {"--out", "out"}), 0);
   EXPECT_NE(full.code, 0);
   EXPECT_EQ(lines_of(full.err).size(), 1u) << full.err;
@@ -70,7 +70,7 @@ TEST_P(StopsTest, disk_that_is_full_from_the_start_is_refused) {
 }
 
 // … and the --h that it names works.
-TEST_P(ExplosionTest, beyond_the_stable_step_it_breaks_off_and_says_what_to_try) {
+TEST_P(ExplosionTest, BeyondTheStableStepItBreaksOffAndSaysWhatToTry) {
   const Arguments scene = small_square(16, {"--end", "1", "--frames", "100", "--size", "80x45"});
   const auto with_h = [&](double h, const std::string& out) {
     Arguments arguments = scene;
@@ -116,7 +116,7 @@ TEST_P(ExplosionTest, beyond_the_stable_step_it_breaks_off_and_says_what_to_try)
   expect_done(advised);
 }
 
-TEST_P(StopsTest, ctrl_c_finishes_the_log_the_film_and_the_last_state) {
+TEST_P(StopsTest, CtrlCFinishesTheLogTheFilmAndTheLastState) {
   for (const int signal : {SIGINT, SIGTERM}) {
     std::filesystem::remove_all(directory / "out");
     Running running(GetParam().path,

@@ -107,7 +107,7 @@ class ShirtTest : public ProgramTest {
 }  // namespace
 
 // A corner that took its vertex' first texture coordinate would change both numbers.
-TEST_P(ShirtTest, takes_its_rest_shape_from_the_texture_coordinates_of_each_corner) {
+TEST_P(ShirtTest, TakesItsRestShapeFromTheTextureCoordinatesOfEachCorner) {
   const Fit fit = fit_of(read_shirt());
   write("scene.toml",
         scene(shirt.string(), "[start]\nvelocity = [1.0, 0.0, 0.0]\n"));  // E = m/2 (1 m/s)²
@@ -117,7 +117,7 @@ TEST_P(ShirtTest, takes_its_rest_shape_from_the_texture_coordinates_of_each_corn
   EXPECT_NEAR(log.at("max_stretch")[0], fit.max_stretch, 1e-9);
 }
 
-TEST_P(ShirtTest, hangs_by_its_shoulders) {
+TEST_P(ShirtTest, HangsByItsShoulders) {
   const Shirt s = read_shirt();
   const auto [left, right] = shoulders(s);
   write("shirt.obj", upright_without_uv(s));

@@ -9,24 +9,24 @@ using SceneRefusals = SceneFiles;
 // 8 lines come before what is added.
 const std::string scene = cloth_and_time + "\n";
 
-TEST_F(SceneRefusals, a_missing_file_is_named) {
+TEST_F(SceneRefusals, AMissingFileIsNamed) {
   expect_says(message([&] { read_scene(directory / "none.toml", "step01"); }),
               {"none.toml: there is no such file"});
 }
 
-TEST_F(SceneRefusals, a_directory_is_no_scene) {
+TEST_F(SceneRefusals, ADirectoryIsNoScene) {
   std::filesystem::create_directory(directory / "d");
   expect_says(message([&] { read_scene(directory / "d", "step01"); }),
               {"d: ", "directory", "file"});
 }
 
-TEST_F(SceneRefusals, malformed_toml_is_one_line_with_its_line_number) {
+TEST_F(SceneRefusals, MalformedTomlIsOneLineWithItsLineNumber) {
   expect_says(refusal("[cloth]\nsize = [1.0,\n= 3\n"), {"scene.toml:3: "});
   expect_says(refusal(scene + "[time]\n"), {"scene.toml:9: ", "time"});
   expect_says(refusal(with_line(6, "h = ")), {"scene.toml:6: "});
 }
 
-TEST_F(SceneRefusals, a_table_of_a_later_step_is_named_with_its_step_and_the_way_round_it) {
+TEST_F(SceneRefusals, ATableOfALaterStepIsNamedWithItsStepAndTheWayRoundIt) {
   EXPECT_EQ(refusal(scene + "[damping]\nstretch = 1", "step01_explicit"),
             "scene.toml:9: step01_explicit does not model [damping]; step02_damping does. "
             "--without damping runs the scene without it");
@@ -35,7 +35,7 @@ TEST_F(SceneRefusals, a_table_of_a_later_step_is_named_with_its_step_and_the_way
             "--without bend runs the scene without it");
 }
 
-TEST_F(SceneRefusals, an_unknown_table_is_named_with_the_valid_ones_and_the_nearest) {
+TEST_F(SceneRefusals, AnUnknownTableIsNamedWithTheValidOnesAndTheNearest) {
   expect_says(
       refusal(scene + "[strech]\nk = 1"),
       {"scene.toml:9: ", "[strech]", "did you mean \"stretch\"?", "cloth, gravity, stretch"});
@@ -45,7 +45,7 @@ TEST_F(SceneRefusals, an_unknown_table_is_named_with_the_valid_ones_and_the_near
   EXPECT_EQ(far.find("damping"), far.npos) << "step01 does not teach it";
 }
 
-TEST_F(SceneRefusals, an_unknown_key_is_named_with_the_valid_ones_and_the_nearest) {
+TEST_F(SceneRefusals, AnUnknownKeyIsNamedWithTheValidOnesAndTheNearest) {
   expect_says(refusal(with_line(3, "cell = [2, 2]")),
               {"scene.toml:3: ", "[cloth] has no key cell", "did you mean \"cells\"?", "density"});
   for (const char* table : {"gravity", "stretch", "shear", "damping", "start", "camera"})
@@ -55,18 +55,18 @@ TEST_F(SceneRefusals, an_unknown_key_is_named_with_the_valid_ones_and_the_neares
               {"scene.toml:9: ", "[time] has no key dt", "h, end, frames"});
 }
 
-TEST_F(SceneRefusals, a_key_outside_of_the_tables_and_a_table_that_is_none_are_refused) {
+TEST_F(SceneRefusals, AKeyOutsideOfTheTablesAndATableThatIsNoneAreRefused) {
   expect_says(refusal("h = 1\n" + scene), {"scene.toml:1: ", "key h outside", "Valid are cloth"});
   expect_says(refusal("stretch = 1\n" + scene), {"scene.toml:1: ", "one table, [stretch]"});
   expect_says(refusal(scene + "[[shear]]\nk = 1"), {"scene.toml:9: ", "one table, [shear]"});
 }
 
-TEST_F(SceneRefusals, cloth_and_time_are_required) {
+TEST_F(SceneRefusals, ClothAndTimeAreRequired) {
   expect_says(refusal("[time]\nh = 1\nend = 1"), {"scene.toml: ", "[cloth] is missing"});
   expect_says(refusal("[cloth]\nsize = [1, 1]"), {"scene.toml: ", "[time] is missing"});
 }
 
-TEST_F(SceneRefusals, a_missing_key_is_named_with_what_it_would_be) {
+TEST_F(SceneRefusals, AMissingKeyIsNamedWithWhatItWouldBe) {
   expect_says(refusal(with_line(2, "")), {"scene.toml:1: ", "[cloth] needs size", "mesh"});
   expect_says(refusal(with_line(3, "")), {"scene.toml:1: ", "needs cells = two whole numbers"});
   expect_says(refusal(with_line(4, "")),
@@ -84,7 +84,7 @@ struct BadLine {
   std::string text, valid;
 };
 
-TEST_F(SceneRefusals, every_value_out_of_range_or_of_another_type_is_shown_with_what_is_valid) {
+TEST_F(SceneRefusals, EveryValueOutOfRangeOrOfAnotherTypeIsShownWithWhatIsValid) {
   const BadLine bad_lines[] = {
       {2, "size = [0, 1]", "two numbers greater than 0"},
       {2, "size = [1, nan]", "two numbers greater than 0"},
@@ -135,18 +135,18 @@ TEST_F(SceneRefusals, every_value_out_of_range_or_of_another_type_is_shown_with_
   }
 }
 
-TEST_F(SceneRefusals, damping_of_an_absent_term_is_refused) {
+TEST_F(SceneRefusals, DampingOfAnAbsentTermIsRefused) {
   expect_says(refusal(scene + "[stretch]\nk = 1\n[damping]\nstretch = 1\nshear = 1"),
               {"scene.toml:13: ", "[damping] shear", "no [shear]", "add [shear], or take out"});
 }
 
-TEST_F(SceneRefusals, a_cloth_is_a_grid_or_a_mesh_and_not_both) {
+TEST_F(SceneRefusals, AClothIsAGridOrAMeshAndNotBoth) {
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   expect_says(refusal(with_line(3, "mesh = \"m.obj\"")),
               {"scene.toml:2: ", "mesh", "take out one"});
 }
 
-TEST_F(SceneRefusals, a_mesh_that_is_missing_or_no_file_is_named_in_the_line_of_the_scene) {
+TEST_F(SceneRefusals, AMeshThatIsMissingOrNoFileIsNamedInTheLineOfTheScene) {
   const auto mesh = [](const std::string& m) {
     return "[cloth]\nmesh = " + m + "\ndensity = 0.2\n[time]\nh = 1\nend = 1\n";
   };
@@ -155,7 +155,7 @@ TEST_F(SceneRefusals, a_mesh_that_is_missing_or_no_file_is_named_in_the_line_of_
   expect_says(refusal(mesh("3")), {"scene.toml:2: ", "name of a file"});
 }
 
-TEST_F(SceneRefusals, a_grid_too_large_for_memory_says_how_much_it_needs_and_how_much_there_is) {
+TEST_F(SceneRefusals, AGridTooLargeForMemorySaysHowMuchItNeedsAndHowMuchThereIs) {
   expect_says(refusal(with_line(3, "cells = [2147483647, 2147483647]")),
               {"scene.toml:3: ", "2147483647 x 2147483647 cells", "need at least", "MB",
                "this machine has", "fewer cells"});
@@ -163,7 +163,7 @@ TEST_F(SceneRefusals, a_grid_too_large_for_memory_says_how_much_it_needs_and_how
               {"scene.toml:3: ", "MB", "fewer"});
 }
 
-TEST_F(SceneRefusals, pins_that_do_not_exist_are_named_with_the_valid_ones) {
+TEST_F(SceneRefusals, PinsThatDoNotExistAreNamedWithTheValidOnes) {
   const auto pins = [&](const std::string& list) {
     return refusal(with_line(4, "density = 1\npins = " + list));
   };
@@ -175,7 +175,7 @@ TEST_F(SceneRefusals, pins_that_do_not_exist_are_named_with_the_valid_ones) {
   expect_says(pins("\"top\""), {"scene.toml:5: ", "a list, like [\"top left\", \"top right\"]"});
 }
 
-TEST_F(SceneRefusals, tables_of_pins_are_refused_with_what_their_keys_can_be) {
+TEST_F(SceneRefusals, TablesOfPinsAreRefusedWithWhatTheirKeysCanBe) {
   const auto pin = [&](const std::string& keys) {
     return refusal(with_line(4, "density = 1\npins = [\n0, {" + keys + "}]"), "step04_cg");
   };
@@ -195,7 +195,7 @@ TEST_F(SceneRefusals, tables_of_pins_are_refused_with_what_their_keys_can_be) {
     expect_says(pin("vertex = 4, velocity = " + velocity), {at + "velocity = ", "three numbers"});
 }
 
-TEST_F(SceneRefusals, pins_cannot_move_where_they_hold_nothing) {
+TEST_F(SceneRefusals, PinsCannotMoveWhereTheyHoldNothing) {
   const auto pin = [&](const std::string& keys) {
     return refusal(with_line(4, "density = 1\npins = [{vertex = 4, " + keys + "}]"), "step04_cg");
   };
@@ -207,7 +207,7 @@ TEST_F(SceneRefusals, pins_cannot_move_where_they_hold_nothing) {
   expect_says(pin("fix = [0, 1, 1], velocity = [0, 1, 0]"), {at, must + "[0, 0.5, 0.5]"});
 }
 
-TEST_F(SceneRefusals, a_vertex_that_is_pinned_in_two_ways_is_named) {
+TEST_F(SceneRefusals, AVertexThatIsPinnedInTwoWaysIsNamed) {
   const auto pins = [&](const std::string& list) {
     return refusal(with_line(4, "density = 1\npins = [" + list + "]"), "step04_cg");
   };
@@ -219,7 +219,7 @@ TEST_F(SceneRefusals, a_vertex_that_is_pinned_in_two_ways_is_named) {
               {twice});
 }
 
-TEST_F(SceneRefusals, tables_of_pins_belong_to_step04_on) {
+TEST_F(SceneRefusals, TablesOfPinsBelongToStep04On) {
   const std::string pinned = with_line(4, "density = 1\npins = [0,\n{vertex = 4}]");
   for (const std::string program : {"step01_explicit", "step02_damping", "step03_implicit"})
     EXPECT_EQ(refusal(pinned, program),
@@ -230,7 +230,7 @@ TEST_F(SceneRefusals, tables_of_pins_belong_to_step04_on) {
     EXPECT_EQ(refusal(pinned, program), "accepted");
 }
 
-TEST_F(SceneRefusals, other_cells_have_no_pins_of_these_numbers) {
+TEST_F(SceneRefusals, OtherCellsHaveNoPinsOfTheseNumbers) {
   const auto with_cells = [&](const std::string& pins, int cells) {
     return refusal(with_line(4, "density = 1\npins = [\"top\",\n" + pins + "]"), "step04_cg",
                    {.cells = cells});
@@ -245,7 +245,7 @@ TEST_F(SceneRefusals, other_cells_have_no_pins_of_these_numbers) {
   EXPECT_EQ(with_cells("{vertex = 'bottom', fix = 'x'}", 5), "accepted");
 }
 
-TEST_F(SceneRefusals, a_mesh_has_no_named_pins_no_shape_and_no_cells) {
+TEST_F(SceneRefusals, AMeshHasNoNamedPinsNoShapeAndNoCells) {
   write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const std::string mesh = "[cloth]\nmesh = \"m.obj\"\ndensity = 1\n[time]\nh = 1\nend = 1\n";
   expect_says(refusal(with_line(3, "density = 1\npins = [\"top\"]", mesh)),
@@ -254,7 +254,7 @@ TEST_F(SceneRefusals, a_mesh_has_no_named_pins_no_shape_and_no_cells) {
   expect_says(refusal(mesh, "step01", {.cells = 3}), {"scene.toml: --cells 3", "only a grid"});
 }
 
-TEST_F(SceneRefusals, start_keys_that_exclude_each_other_are_refused) {
+TEST_F(SceneRefusals, StartKeysThatExcludeEachOtherAreRefused) {
   write("p.obj", "");
   write("v.csv", "");
   expect_says(refusal(scene + "[start]\nshape = \"flat\"\npositions = \"p.obj\""),
@@ -264,7 +264,7 @@ TEST_F(SceneRefusals, start_keys_that_exclude_each_other_are_refused) {
                 {"scene.toml:10: ", key, "velocities", "take out one"});
 }
 
-TEST_F(SceneRefusals, start_positions_must_be_one_per_vertex) {
+TEST_F(SceneRefusals, StartPositionsMustBeOnePerVertex) {
   write("p.obj", "v 0 0 0\nv 1 2 3\n");
   expect_says(refusal(scene + "[start]\npositions = \"p.obj\""),
               {"scene.toml:10: ", "p.obj has 2 vertices", "the cloth has 9"});
@@ -274,7 +274,7 @@ TEST_F(SceneRefusals, start_positions_must_be_one_per_vertex) {
               {"scene.toml:10: ", "no such file"});
 }
 
-TEST_F(SceneRefusals, start_velocities_must_be_a_header_and_one_row_per_vertex) {
+TEST_F(SceneRefusals, StartVelocitiesMustBeAHeaderAndOneRowPerVertex) {
   const auto csv = [&](const std::string& text) {
     write("v.csv", text);
     return refusal(scene + "[start]\nvelocities = \"v.csv\"");
@@ -291,7 +291,7 @@ TEST_F(SceneRefusals, start_velocities_must_be_a_header_and_one_row_per_vertex) 
   expect_says(csv(long_one), {"v.csv: 10 rows", "9 vertices"});
 }
 
-TEST_F(SceneRefusals, tables_that_cannot_be_left_out_or_do_not_exist_are_refused) {
+TEST_F(SceneRefusals, TablesThatCannotBeLeftOutOrDoNotExistAreRefused) {
   for (const std::string name : {"cloth", "time"})
     expect_says(refusal(scene, "step01", {.without = {name}}),
                 {"scene.toml: --without " + name, "every scene needs"});
@@ -299,7 +299,7 @@ TEST_F(SceneRefusals, tables_that_cannot_be_left_out_or_do_not_exist_are_refused
               {"scene.toml: --without gravty", "did you mean \"gravity\"?", "stretch, shear"});
 }
 
-TEST_F(SceneRefusals, values_of_the_command_line_are_checked_like_those_of_the_file) {
+TEST_F(SceneRefusals, ValuesOfTheCommandLineAreCheckedLikeThoseOfTheFile) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Overrides bad[] = {{.h = 0}, {.h = nan}, {.end = -1}, {.frames = 0}, {.cells = 0}};
   const std::string keys[] = {"[time] h", "[time] h", "[time] end", "[time] frames",

@@ -9,7 +9,7 @@ const std::string all_tables =
     "[gravity]\ng = 9.81\n[stretch]\nk = 1000\n[shear]\nk = 500.5\n[damping]\nstretch = 0.02\n"
     "shear = 0.01\n[camera]\neye = [0, 1, 4]\nstill = 0.5\n";
 
-TEST_F(SceneTest, without_a_table_nothing_of_it_exists) {
+TEST_F(SceneTest, WithoutATableNothingOfItExists) {
   const Scene scene = read(cloth_and_time);
   EXPECT_FALSE(scene.cloth.gravity);
   EXPECT_FALSE(scene.cloth.term<StretchTerm>());
@@ -20,7 +20,7 @@ TEST_F(SceneTest, without_a_table_nothing_of_it_exists) {
   EXPECT_FALSE(scene.camera.eye || scene.camera.target || scene.camera.still);
 }
 
-TEST_F(SceneTest, every_table_arrives_where_the_steps_read_it) {
+TEST_F(SceneTest, EveryTableArrivesWhereTheStepsReadIt) {
   const Scene scene = read(all_tables);
   EXPECT_EQ(*scene.cloth.gravity, Vec3(0, -9.81, 0));
   const Triangles& triangles = scene.cloth.triangles;
@@ -37,7 +37,7 @@ TEST_F(SceneTest, every_table_arrives_where_the_steps_read_it) {
   EXPECT_EQ(scene.file, directory / "scene.toml");
 }
 
-TEST_F(SceneTest, defaults_are_twelve_frames_the_diagonals_of_the_notes_and_a_flat_cloth_at_rest) {
+TEST_F(SceneTest, DefaultsAreTwelveFramesTheDiagonalsOfTheNotesAndAFlatClothAtRest) {
   const Scene scene = read(cloth_and_time);
   const Mesh grid = make_grid({1, 1}, {2, 2}, Diagonals::same);
   EXPECT_EQ(scene.time.frames, 12);
@@ -47,14 +47,14 @@ TEST_F(SceneTest, defaults_are_twelve_frames_the_diagonals_of_the_notes_and_a_fl
   EXPECT_EQ(scene.start.v.size(), grid.x.size());
 }
 
-TEST_F(SceneTest, one_term_is_damped_without_the_other) {
+TEST_F(SceneTest, OneTermIsDampedWithoutTheOther) {
   const Scene scene =
       read(cloth_and_time + "[stretch]\nk = 1\n[shear]\nk = 1\n[damping]\nshear = 2");
   EXPECT_EQ(scene.cloth.term<StretchTerm>()->kd, 0);
   EXPECT_EQ(scene.cloth.term<ShearTerm>()->kd, 2);
 }
 
-TEST_F(SceneTest, whole_numbers_are_numbers_and_zero_gravity_and_stiffness_are_allowed) {
+TEST_F(SceneTest, WholeNumbersAreNumbersAndZeroGravityAndStiffnessAreAllowed) {
   const Scene scene =
       read(with_line(6, "h = 1", cloth_and_time + "[gravity]\ng = 0\n[shear]\nk = 0"));
   EXPECT_EQ(scene.time.h, 1);
@@ -62,7 +62,7 @@ TEST_F(SceneTest, whole_numbers_are_numbers_and_zero_gravity_and_stiffness_are_a
   EXPECT_EQ(scene.cloth.term<ShearTerm>()->k, 0);
 }
 
-TEST_F(SceneTest, the_number_of_steps_forgives_rounding_and_covers_the_end) {
+TEST_F(SceneTest, TheNumberOfStepsForgivesRoundingAndCoversTheEnd) {
   EXPECT_EQ((Time{0.001, 1.0, 12}).steps(), 1000);
   EXPECT_EQ((Time{0.1, 0.3, 12}).steps(), 3) << "0.3 / 0.1 is 2.9999999999999996";
   EXPECT_EQ((Time{0.3, 1.0, 12}).steps(), 4) << "the last step goes beyond the end";
@@ -70,7 +70,7 @@ TEST_F(SceneTest, the_number_of_steps_forgives_rounding_and_covers_the_end) {
   EXPECT_EQ((Time{1e-9, 1.0, 12}).steps(), 1000000000);
 }
 
-TEST_F(SceneTest, frames_are_spread_evenly_over_the_steps) {
+TEST_F(SceneTest, FramesAreSpreadEvenlyOverTheSteps) {
   const Time time{0.3, 3.0, 4};
   EXPECT_EQ(time.step_of_frame(0), 0);
   EXPECT_EQ(time.step_of_frame(1), 3) << "2.5 rounded";
@@ -79,7 +79,7 @@ TEST_F(SceneTest, frames_are_spread_evenly_over_the_steps) {
   EXPECT_EQ((Time{1e-9, 1.0, 1000}).step_of_frame(999), 999000000);
 }
 
-TEST_F(SceneTest, pins_are_corners_edges_and_numbers_and_each_vertex_once) {
+TEST_F(SceneTest, PinsAreCornersEdgesAndNumbersAndEachVertexOnce) {
   const auto pins = [&](const std::string& list) {
     std::vector<int> vertices;
     for (const Pin& pin : read(with_line(4, "density = 1\npins = " + list)).cloth.pins) {
@@ -102,8 +102,7 @@ TEST_F(SceneTest, pins_are_corners_edges_and_numbers_and_each_vertex_once) {
   EXPECT_EQ(pins("[]"), Pins{});
 }
 
-TEST_F(SceneTest,
-       a_hanging_cloth_is_upright_with_a_wrinkle_of_a_millimetre_and_no_mirror_symmetry) {
+TEST_F(SceneTest, AHangingClothIsUprightWithAWrinkleOfAMillimetreAndNoMirrorSymmetry) {
   const Scene scene =
       read(with_line(3, "cells = [10, 10]", cloth_and_time) + "[start]\nshape = \"hanging\"\n");
   double largest = 0;
@@ -122,7 +121,7 @@ TEST_F(SceneTest,
   EXPECT_GT(largest, 0.8e-3);
 }
 
-TEST_F(SceneTest, velocity_and_spin_add_up_and_give_these_momenta) {
+TEST_F(SceneTest, VelocityAndSpinAddUpAndGiveTheseMomenta) {
   const Scene scene = read(with_line(3, "cells = [5, 3]\ndiagonals = \"alternating\"") +
                            "[start]\nvelocity = [1, 2, 3]\nspin = [0, 6, 0]\n");
   const Cloth& cloth = scene.cloth;
@@ -141,7 +140,7 @@ TEST_F(SceneTest, velocity_and_spin_add_up_and_give_these_momenta) {
   EXPECT_LT((angular - inertia * Vec3(0, 6, 0)).norm(), 1e-15);
 }
 
-TEST_F(SceneTest, pinned_vertices_start_at_rest) {
+TEST_F(SceneTest, PinnedVerticesStartAtRest) {
   const Scene scene = read(with_line(4, "density = 1\npins = [0, 4]") +
                            "[start]\nvelocity = [1, 1, 1]\nspin = [1, 0, 0]\n");
   for (int i = 0; i < 9; ++i)
@@ -161,7 +160,7 @@ Mat3 diagonal(double x, double y, double z) {
 
 }  // namespace
 
-TEST_F(SceneTest, pins_fix_the_axes_of_their_letters_and_leave_the_others_free) {
+TEST_F(SceneTest, PinsFixTheAxesOfTheirLettersAndLeaveTheOthersFree) {
   const auto free_of = [&](const std::string& fix) {
     return read(with_pins("[{vertex = 4" + fix + "}]"), "step04_cg").cloth.pins.at(0).S;
   };
@@ -175,7 +174,7 @@ TEST_F(SceneTest, pins_fix_the_axes_of_their_letters_and_leave_the_others_free) 
   EXPECT_EQ(free_of(""), diagonal(0, 0, 0)) << "all are held where nothing is said";
 }
 
-TEST_F(SceneTest, pins_fix_one_direction_whatever_its_length) {
+TEST_F(SceneTest, PinsFixOneDirectionWhateverItsLength) {
   const Vec3 p = Vec3(2, -1, 2) / 3, q = Vec3(1, 2, 0).normalized();  // q is across p
   for (const char* fix : {"[2, -1, 2]", "[2e-200, -1e-200, 2e-200]", "[2e200, -1e200, 2e200]"}) {
     const std::string list = std::string("[{vertex = 4, fix = ") + fix + "}]";
@@ -186,7 +185,7 @@ TEST_F(SceneTest, pins_fix_one_direction_whatever_its_length) {
   }
 }
 
-TEST_F(SceneTest, pins_that_hold_all_have_no_inverse_mass_and_the_others_have_theirs) {
+TEST_F(SceneTest, PinsThatHoldAllHaveNoInverseMassAndTheOthersHaveTheirs) {
   const Cloth cloth =
       read(with_pins("[1, {vertex = 4}, {vertex = 5, fix = \"xy\"}]"), "step04_cg").cloth;
   ASSERT_EQ(cloth.pins.size(), 3u);
@@ -195,7 +194,7 @@ TEST_F(SceneTest, pins_that_hold_all_have_no_inverse_mass_and_the_others_have_th
   EXPECT_EQ(cloth.inverse_mass[15], 1 / cloth.mass[15]);
 }
 
-TEST_F(SceneTest, pins_of_an_edge_share_what_its_table_says) {
+TEST_F(SceneTest, PinsOfAnEdgeShareWhatItsTableSays) {
   const Scene scene =
       read(with_pins("[8, {vertex = 'left', fix = 'yz', velocity = [0, 0.5, -0.25]}]") +
                "[start]\nvelocity = [1, 2, 3]\n",
@@ -215,7 +214,7 @@ TEST_F(SceneTest, pins_of_an_edge_share_what_its_table_says) {
   EXPECT_EQ(scene.start.v.segment<3>(12), Vec3(1, 2, 3));
 }
 
-TEST_F(SceneTest, pins_move_along_the_direction_that_they_fix) {
+TEST_F(SceneTest, PinsMoveAlongTheDirectionThatTheyFix) {
   const auto pin = [&](const std::string& velocity) {
     const std::string list = "[{vertex = 4, fix = [1, 2, 2], velocity = " + velocity + "}]";
     return read(with_pins(list), "step04_cg").cloth.pins.at(0);
@@ -226,7 +225,7 @@ TEST_F(SceneTest, pins_move_along_the_direction_that_they_fix) {
   EXPECT_LT((rounded.S * rounded.velocity).norm(), 1e-15) << "the rest is taken out";
 }
 
-TEST_F(SceneTest, pins_named_twice_with_the_same_are_one) {
+TEST_F(SceneTest, PinsNamedTwiceWithTheSameAreOne) {
   const std::string list =
       "[{vertex = 'top'}, 7, {vertex = 8, fix = 'xyz', velocity = [0, 0, 0]}, "
       "{vertex = 0, fix = 'x'}, {vertex = 0, fix = [3, 0, 0]}, "
@@ -237,7 +236,7 @@ TEST_F(SceneTest, pins_named_twice_with_the_same_are_one) {
   EXPECT_EQ(vertices, (std::vector<int>{0, 1, 6, 7, 8}));
 }
 
-TEST_F(SceneTest, the_files_of_a_run_start_another_one_to_the_last_digit) {
+TEST_F(SceneTest, TheFilesOfARunStartAnotherOneToTheLastDigit) {
   const Scene scene = read(cloth_and_time);
   const VecX x = VecX::Random(27), v = 1e-7 * VecX::Random(27);
   write_obj(directory / "final.obj", scene.mesh, x);
@@ -249,7 +248,7 @@ TEST_F(SceneTest, the_files_of_a_run_start_another_one_to_the_last_digit) {
   EXPECT_EQ(restarted.mesh.x, scene.mesh.x);
 }
 
-TEST_F(SceneTest, a_mesh_is_found_beside_the_scene_and_starts_as_its_file_has_it) {
+TEST_F(SceneTest, AMeshIsFoundBesideTheSceneAndStartsAsItsFileHasIt) {
   write("m.obj", "v 0 5 0\nv 2 5 0\nv 0 5 1\nf 1 2 3\n");
   const Scene scene = read(
       "[cloth]\nmesh = \"m.obj\"\ndensity = 3\npins = [1]\n[time]\nh = 1\nend = 1\n[shear]\nk = 1");
@@ -260,7 +259,7 @@ TEST_F(SceneTest, a_mesh_is_found_beside_the_scene_and_starts_as_its_file_has_it
   EXPECT_EQ(scene.cloth.triangles.elements.size(), 1u);
 }
 
-TEST_F(SceneTest, tables_taken_out_are_not_modelled_and_a_term_goes_with_its_damping) {
+TEST_F(SceneTest, TablesTakenOutAreNotModelledAndATermGoesWithItsDamping) {
   const Scene bare = read(all_tables, "step02", {.without = {"damping", "gravity", "bend"}});
   EXPECT_EQ(bare.cloth.term<StretchTerm>()->kd, 0);
   EXPECT_FALSE(bare.cloth.gravity);
@@ -271,7 +270,7 @@ TEST_F(SceneTest, tables_taken_out_are_not_modelled_and_a_term_goes_with_its_dam
   EXPECT_EQ(first.cloth.term<StretchTerm>()->kd, 0);
 }
 
-TEST_F(SceneTest, the_command_line_replaces_time_and_cells) {
+TEST_F(SceneTest, TheCommandLineReplacesTimeAndCells) {
   const Scene scene = read(with_line(3, "cells = [4, 2]", all_tables), "step02",
                            {.h = 0.01, .end = 0.25, .frames = 5, .cells = 6});
   EXPECT_EQ(scene.time.h, 0.01);
@@ -281,13 +280,13 @@ TEST_F(SceneTest, the_command_line_replaces_time_and_cells) {
   EXPECT_EQ(*scene.camera.still, 0.25) << "the still of a shortened run is its end";
 }
 
-TEST_F(SceneTest, a_still_at_the_very_end_and_windows_line_ends_are_accepted) {
+TEST_F(SceneTest, AStillAtTheVeryEndAndWindowsLineEndsAreAccepted) {
   EXPECT_EQ(*read(cloth_and_time + "[camera]\nstill = 1\n").camera.still, 1);
   std::string windows;
   for (const char c : all_tables) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
   EXPECT_EQ(read(windows).cloth.term<StretchTerm>()->k, 1000);
 }
 
-TEST_F(SceneTest, a_program_that_is_no_step_is_an_error_of_the_programmer) {
+TEST_F(SceneTest, AProgramThatIsNoStepIsAnErrorOfTheProgrammer) {
   EXPECT_THROW(read(cloth_and_time, "study"), std::invalid_argument);
 }
