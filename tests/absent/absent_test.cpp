@@ -4,11 +4,11 @@
 
 #include "absent/without.h"
 
+namespace absent_test {
+
 void PrintTo(const Part& part, std::ostream* out) {
   *out << part.name;
 }
-
-namespace {
 
 constexpr double rounding = 1e-10;  // m, where the order of operations changes with the pattern
 
@@ -81,4 +81,4 @@ TEST(BendOfZero, MovesAlikeInEveryModelAndIsNotFree) {
   }
 }
 
-}  // namespace
+}  // namespace absent_test

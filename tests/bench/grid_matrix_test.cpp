@@ -7,7 +7,7 @@
 #include "scene/make_cloth.h"
 #include "support/poses.h"
 
-namespace {
+namespace grid_matrix_test {
 
 BlockMatrix random_matrix(const Mesh& mesh) {
   Model model;
@@ -56,4 +56,4 @@ TEST(GridMatrix, HoldsSevenBlocksAVertex) {
   EXPECT_EQ(GridMatrix({{4, 3}, Diagonals::same}).bytes(), 20u * 7 * 9 * sizeof(double));
 }
 
-}  // namespace
+}  // namespace grid_matrix_test

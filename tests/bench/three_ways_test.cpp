@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace three_ways_test {
 
 TEST(ThreeWays, GiveTheSameForces) {
   for (const int n : {1, 8, 32}) {
@@ -28,4 +28,4 @@ TEST(ThreeWays, EvaluateTheSameForcesEveryTime) {
   EXPECT_EQ(f3, differentiated.forces(sheet.state));
 }
 
-}  // namespace
+}  // namespace three_ways_test

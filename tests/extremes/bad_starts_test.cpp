@@ -4,8 +4,7 @@
 #include "support/table.h"
 #include "ways/way.h"
 
-namespace extremes {
-namespace {
+namespace extremes::bad_starts_test {
 
 // From h = 0.01 s on, after a second and 60 steps. At shorter steps little energy is lost in a second,
 // and a tangle of 1e5 J rightly has not come to rest: only watched for 0.2 and 0.02 s.
@@ -70,5 +69,4 @@ TEST(BadStart, CollapsedThreadsHaveFiniteForcesAndRegainTheirLength) {
   }
 }
 
-}  // namespace
-}  // namespace extremes
+}  // namespace extremes::bad_starts_test

@@ -8,8 +8,7 @@
 #include "step05_bend/time_step.h"
 #include "support/outcome.h"
 
-namespace extremes {
-namespace {
+namespace extremes::bend_test {
 
 TestScene bending(TestScene scene, double k) {
   scene.cloth.hinges.elements = make_hinges(scene.mesh);
@@ -147,5 +146,4 @@ TEST(Bending, AFoldThatIsCarriedBeyondAFullOneStoresMoreAndMore) {
     }
 }
 
-}  // namespace
-}  // namespace extremes
+}  // namespace extremes::bend_test

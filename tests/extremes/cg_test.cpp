@@ -6,8 +6,7 @@
 #include "step04_cg/time_step.h"
 #include "support/outcome.h"
 
-namespace extremes {
-namespace {
+namespace extremes::cg_test {
 
 Method with(const char* preconditioner, double tolerance) {
   Method method;
@@ -97,5 +96,4 @@ TEST(LooseConjugateGradients, ExplodeWhereTheyStopByTheRelativeResidual) {
   }
 }
 
-}  // namespace
-}  // namespace extremes
+}  // namespace extremes::cg_test

@@ -2,8 +2,7 @@
 #include "support/table.h"
 #include "ways/way.h"
 
-namespace extremes {
-namespace {
+namespace extremes::drop_test {
 
 TEST(Drop, TheStaticStretchIsThatOfAnEquilibrium) {
   for (double k : {1e2, 3e2, 1e3, 1e4, 1e5}) {
@@ -71,5 +70,4 @@ TEST(Drop, ASecondOfTheShortestStepsEndsAsTheLongOnesDo) {
   EXPECT_LT(o.gain, 0);
 }
 
-}  // namespace
-}  // namespace extremes
+}  // namespace extremes::drop_test

@@ -5,8 +5,7 @@
 #include "support/decompositions.h"
 #include "support/outcome.h"
 
-namespace extremes {
-namespace {
+namespace extremes::jacobian_test {
 
 // Not in the first steps: only when the cloth folds, and is compressed and sheared. Measured: 4e13 J,
 // where the default loses energy; the first indefinite matrix is that of step 30.
@@ -126,5 +125,4 @@ TEST(ClampedEigenvalues, ThrowATangleToInfinityWhereTheDefaultUntanglesIt) {
   }
 }
 
-}  // namespace
-}  // namespace extremes
+}  // namespace extremes::jacobian_test

@@ -4,8 +4,7 @@
 
 #include "support/outcome.h"
 
-namespace extremes {
-namespace {
+namespace extremes::newton_test {
 
 // Measured: at most 6e-13 of the energies there are.
 void expect_no_rise(MakeScene make) {
@@ -48,5 +47,4 @@ TEST(NewtonToTheEnd, RemovesTheEnergyThatASingleIterationGains) {
   EXPECT_LT(watch(dropped(1e3), 0.1, 30, {Jacobian::definite, 50}).gain, 0);
 }
 
-}  // namespace
-}  // namespace extremes
+}  // namespace extremes::newton_test

@@ -7,13 +7,11 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace extremes {
+namespace extremes::stability_test {
 
 static void PrintTo(Verdict verdict, std::ostream* out) {
   *out << name(verdict);
 }
-
-namespace {
 
 constexpr Watch coarse = {.cells = 4, .most = 60};
 
@@ -164,5 +162,4 @@ TEST(Newton, GainsNoEnergyWhereOneIterationDoes) {
     }
 }
 
-}  // namespace
-}  // namespace extremes
+}  // namespace extremes::stability_test

@@ -8,7 +8,7 @@
 #include "picture/png.h"
 #include "test_scene.h"
 
-namespace {
+namespace compare_test {
 
 const Image reference = filled_image(1000, 100, {100, 100, 100});  // 1e5 pixels
 
@@ -28,8 +28,6 @@ int exit_code(const std::string& arguments) {
   const std::string command = std::string(COMPARE_FRAMES) + " " + arguments + " > /dev/null 2>&1";
   return WEXITSTATUS(std::system(command.c_str()));
 }
-
-}  // namespace
 
 TEST(Compare, Verdicts) {
   EXPECT_EQ(verdict_of(0, 0), Verdict::IDENTICAL);
@@ -94,3 +92,5 @@ TEST(CompareFrames, ExitCodes) {
   EXPECT_EQ(read_png(d).width, 1000);
   std::filesystem::remove_all(directory);
 }
+
+}  // namespace compare_test

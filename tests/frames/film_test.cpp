@@ -5,7 +5,7 @@
 #include "picture/reduce.h"
 #include "test_scene.h"
 
-namespace {
+namespace film_test {
 
 Colour grey(int k) {
   const unsigned char value = static_cast<unsigned char>(10 * k);
@@ -17,8 +17,6 @@ std::vector<Image> greys(int count, int width, int height) {
   for (int k = 0; k < count; ++k) frames.push_back(filled_image(width, height, grey(k)));
   return frames;
 }
-
-}  // namespace
 
 TEST(Reduce, ConstantStaysConstant) {
   for (const int value : {0, 1, 20, 127, 200, 254, 255}) {
@@ -83,3 +81,5 @@ TEST(FilmStrip, RefusesNothingAndMixedSizes) {
   frames.push_back(filled_image(11, 10, {0, 0, 0}));
   EXPECT_THROW(film_strip(frames, 3), std::invalid_argument);
 }
+
+}  // namespace film_test

@@ -6,7 +6,7 @@
 #include "picture/png.h"
 #include "support/program_runner.h"
 
-namespace {
+namespace golden_test {
 
 // Pictures of one size, from left to right.
 Image beside(const std::vector<Image>& pictures) {
@@ -19,8 +19,6 @@ Image beside(const std::vector<Image>& pictures) {
     }
   return all;
 }
-
-}  // namespace
 
 class GoldenFrame : public ProgramTest {};
 
@@ -41,3 +39,5 @@ TEST_P(GoldenFrame, IsWhatTheDefaultRunDraws) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, GoldenFrame, testing::ValuesIn(programs()), name_of);
+
+}  // namespace golden_test

@@ -8,7 +8,7 @@
 #include "picture/stroke_font.h"
 #include "test_scene.h"
 
-namespace {
+namespace overlay_test {
 
 Image white() {
   return filled_image(320, 180, {255, 255, 255});
@@ -19,8 +19,6 @@ Image lettered(char c) {
   draw_text(image, 8, 8, 18, std::string(1, c), {0, 0, 0});
   return image;
 }
-
-}  // namespace
 
 TEST(StrokeFont, EveryGlyphButSpaceIsThereAndItsOwn) {
   std::set<std::string> seen;
@@ -85,3 +83,5 @@ TEST(Overlay, TinyPicturesAreNoTrouble) {
   draw_legend(image, 0.1);
   EXPECT_EQ(image.rgb.size(), 3u);
 }
+
+}  // namespace overlay_test

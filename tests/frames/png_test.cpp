@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <fstream>
 
-namespace fs = std::filesystem;
+namespace png_test {
 
-namespace {
+namespace fs = std::filesystem;
 
 // An empty directory that is gone after the test.
 struct Directory {
@@ -46,8 +46,6 @@ std::string failure(const fs::path& path, const Image& image) {
 void expect_mentions(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
-
-}  // namespace
 
 TEST(Png, RoundTrip) {
   const Directory directory;
@@ -128,3 +126,5 @@ TEST(Png, UnreadableFilesAreNamed) {
   EXPECT_THROW(read_png(directory.path / "b.png"), std::runtime_error);
   EXPECT_THROW(read_png_text(directory.path / "b.png"), std::runtime_error);
 }
+
+}  // namespace png_test

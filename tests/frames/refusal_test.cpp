@@ -6,7 +6,7 @@
 #include "picture/renderer.h"
 #include "test_scene.h"
 
-namespace {
+namespace refusal_test {
 
 std::string refusal(const TestScene& scene) {
   try {
@@ -21,8 +21,6 @@ void expect_mentions(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
   EXPECT_EQ(text.find('\n'), std::string::npos) << text;
 }
-
-}  // namespace
 
 TEST(Refusal, NamesTheVertexThatIsNotFinite) {
   for (const double bad :
@@ -106,3 +104,5 @@ TEST(Refusal, DriverThatWouldCrashOsMesa) {
   }
   unsetenv("GALLIUM_DRIVER");
 }
+
+}  // namespace refusal_test

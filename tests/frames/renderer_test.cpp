@@ -9,7 +9,7 @@
 #include "picture/compare.h"
 #include "test_scene.h"
 
-namespace {
+namespace renderer_test {
 
 Image drawn(const TestScene& scene) {
   return Renderer(scene.surface).draw(scene.stage, scene.x, scene.style, scene.strain);
@@ -40,8 +40,6 @@ long pixels_above(const Image& a, const Image& b, int level) {
   const Difference d = compare(a, b);
   return level == 0 ? d.above0 : d.above8;
 }
-
-}  // namespace
 
 TEST(Renderer, ShowsClothInFrontOfBackground) {
   const Image image = drawn(hung_cloth());
@@ -185,3 +183,5 @@ TEST(Renderer, NamesItsOpenGl) {
   const std::string text = Renderer(hung_cloth().surface).description();
   EXPECT_NE(text.find("pipe"), std::string::npos) << text;
 }
+
+}  // namespace renderer_test

@@ -7,7 +7,7 @@
 #include <regex>
 #include <sstream>
 
-namespace {
+namespace lesson_test {
 
 const std::filesystem::path source = SOURCE_DIRECTORY;
 
@@ -148,4 +148,4 @@ TEST(Lessons, ContinuousIntegrationRunsTheTestCommandOfTheReadme) {
   EXPECT_NE(read(source / ".ci/run").find("eval \"${command//sudo /}\""), std::string::npos);
 }
 
-}  // namespace
+}  // namespace lesson_test

@@ -3,7 +3,7 @@
 
 #include "step01_explicit/time_step.h"
 
-namespace {
+namespace allocation_test {
 
 // A square of two triangles and a spring, one vertex pinned.
 Cloth small_cloth() {
@@ -44,4 +44,4 @@ TEST(Allocation, CounterSeesVectorsOfBothKinds) {
   EXPECT_EQ(numbers.size(), 100u);
 }
 
-}  // namespace
+}  // namespace allocation_test

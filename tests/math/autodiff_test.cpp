@@ -5,7 +5,7 @@
 #include "support/energy.h"
 #include "support/poses.h"
 
-namespace {
+namespace autodiff_test {
 
 class AutoDiff : public testing::TestWithParam<Pose> {};
 // A collapsed thread is left to the differences: there the guard's ε is part of the energy.
@@ -29,4 +29,4 @@ TEST_P(AutoDiff, AutomaticDifferentiationOfTheEnergyGivesOurForces) {
   }
 }
 
-}  // namespace
+}  // namespace autodiff_test

@@ -10,7 +10,7 @@
 #include "support/differences.h"
 #include "support/folds.h"
 
-namespace {
+namespace bend_models_test {
 
 constexpr double k = 3;  // N·m
 
@@ -448,4 +448,4 @@ TEST(Bend, AFamilyWithoutATermActsOnNothing) {
   EXPECT_EQ(energy(quadratic_hinges, x), 0);
 }
 
-}  // namespace
+}  // namespace bend_models_test

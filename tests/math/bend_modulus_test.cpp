@@ -6,7 +6,7 @@
 #include "support/bend_models.h"
 #include "support/energy.h"
 
-namespace {
+namespace bend_modulus_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double cell = 1, small = 0.05;  // m, 1/m: a fold of 0.05 rad on each mesh line
@@ -112,4 +112,4 @@ TEST(BendModulus, SpringsHaveNone) {
   EXPECT_NEAR(energy(springs, rolled(mesh, 0, 2 * small)) / E, 16, 0.1);
 }
 
-}  // namespace
+}  // namespace bend_modulus_test

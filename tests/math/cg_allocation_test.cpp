@@ -9,7 +9,7 @@
 #include "scene/make_cloth.h"
 #include "step04_cg/time_step.h"
 
-namespace {
+namespace cg_allocation_test {
 
 struct CgAllocation : testing::TestWithParam<const char*> {
   // Of 20 steps after the first, on a sheet that halves down to a grid of `coarsest` × `coarsest`.
@@ -49,4 +49,4 @@ TEST_P(CgAllocation, NorDoesOneWithALargeCoarsestGrid) {
   EXPECT_EQ(allocations_in_steps(13), 0);
 }
 
-}  // namespace
+}  // namespace cg_allocation_test

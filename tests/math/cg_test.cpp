@@ -4,7 +4,7 @@
 #include "support/pinned.h"
 #include "ways/way.h"
 
-namespace {
+namespace cg_test {
 
 struct ModifiedCG : testing::TestWithParam<const char*> {
   const char* name = GetParam();
@@ -350,4 +350,4 @@ TEST(Memory, OfAMatrixIsBelow360BytesPerVertex) {
   EXPECT_LE(bytes, 360u * size_t(A.rows()));
 }
 
-}  // namespace
+}  // namespace cg_test

@@ -6,7 +6,7 @@
 #include "support/dense.h"
 #include "support/differences.h"
 
-namespace {
+namespace damping_test {
 
 VecX forces02(const Cloth& cloth, const State& state) {
   step02::System system(cloth);
@@ -117,4 +117,4 @@ TEST_F(Damping, OfEachTermIsItsOwn) {
   EXPECT_LT(relative(sum, damping(cloth, state)), 1e-12);
 }
 
-}  // namespace
+}  // namespace damping_test

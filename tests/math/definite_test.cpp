@@ -4,7 +4,7 @@
 
 #include "support/dense.h"
 
-namespace {
+namespace definite_test {
 
 constexpr int poses = 10000;
 
@@ -110,4 +110,4 @@ TEST(Definite, ACrumpledSheetHasAPositiveDefiniteMatrix) {
   }
 }
 
-}  // namespace
+}  // namespace definite_test

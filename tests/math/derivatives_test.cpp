@@ -4,7 +4,7 @@
 #include "support/energy.h"
 #include "support/poses.h"
 
-namespace {
+namespace derivatives_test {
 
 constexpr int triangles_per_pose = 20;
 
@@ -189,4 +189,4 @@ TEST(Differences, HaveOrderTwoAndFindASmallWrongTerm) {
       f, [&](const VecX& at) -> MatX { return right(at) * std::nan(""); }, x, 1));
 }
 
-}  // namespace
+}  // namespace derivatives_test

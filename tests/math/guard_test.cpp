@@ -5,7 +5,7 @@
 #include "support/energy.h"
 #include "support/poses.h"
 
-namespace {
+namespace guard_test {
 
 Triangle unit_triangle() {
   return make_triangle({Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)});
@@ -87,4 +87,4 @@ TEST(Guard, DirectionTurnsOverWithoutAJump) {
   }
 }
 
-}  // namespace
+}  // namespace guard_test

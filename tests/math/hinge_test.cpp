@@ -4,7 +4,7 @@
 #include "support/differences.h"
 #include "support/folds.h"
 
-namespace {
+namespace hinge_test {
 
 // The corners of one flap, its own vertex first, as nine numbers; and a flap of nine numbers.
 VecX flap_points(const FoldCase& fold, int flap) {
@@ -274,4 +274,4 @@ TEST(Hinge, AngleDoesNotNoticeARigidMotion) {
   }
 }
 
-}  // namespace
+}  // namespace hinge_test

@@ -10,7 +10,7 @@
 #include "support/poses.h"
 #include "text/bad_input.h"
 
-namespace {
+namespace hinge_topology_test {
 
 // A disc: V − E + F = 1. Every face has three sides: 3 F = 2 E − B.
 void expect_disc(const Mesh& mesh) {
@@ -155,4 +155,4 @@ TEST(HingeTopology, RestAnglesInSpaceAreThoseOfTheRestShape) {
     EXPECT_NEAR(hinge.rest_angle, std::numbers::pi - std::acos(1 / 3.0), 1e-14);
 }
 
-}  // namespace
+}  // namespace hinge_topology_test

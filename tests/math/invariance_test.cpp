@@ -7,7 +7,7 @@
 #include "support/energy.h"
 #include "support/poses.h"
 
-namespace {
+namespace invariance_test {
 
 constexpr double k_stretch = 7, k_shear = 3;
 
@@ -184,4 +184,4 @@ TEST(Shear, SecondDerivativeIsSymmetricAndNotConvex) {
   }
 }
 
-}  // namespace
+}  // namespace invariance_test

@@ -8,7 +8,7 @@
 #include "support/energy.h"
 #include "support/poses.h"
 
-namespace {
+namespace material_test {
 
 // A grid stretched along u.
 struct Stretched {
@@ -128,4 +128,4 @@ TEST(Material, StretchOnAGridIsSpringsOnTheGridLines) {
   }
 }
 
-}  // namespace
+}  // namespace material_test

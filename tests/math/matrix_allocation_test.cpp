@@ -5,7 +5,7 @@
 #include "scene/make_cloth.h"
 #include "step03_implicit/time_step.h"
 
-namespace {
+namespace matrix_allocation_test {
 
 // A sheet with springs and damping, pulled out of shape.
 struct MatrixAllocation : testing::Test {
@@ -50,4 +50,4 @@ TEST_F(MatrixAllocation, CounterSeesAMatrix) {
   EXPECT_GE(allocations_in([&] { BlockMatrix copy = system.K; }), 2);
 }
 
-}  // namespace
+}  // namespace matrix_allocation_test

@@ -6,7 +6,7 @@
 #include "support/dense.h"
 #include "support/differences.h"
 
-namespace {
+namespace matrix_test {
 
 Cloth without_damping(Cloth cloth) {
   for_each_term(cloth, [](auto& term) {
@@ -203,4 +203,4 @@ TEST_F(Matrix, HasABlockForEveryEdgeAndNoOther) {
   EXPECT_EQ(undamped.D.upper.capacity(), 0u);
 }
 
-}  // namespace
+}  // namespace matrix_test

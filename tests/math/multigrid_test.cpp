@@ -5,7 +5,7 @@
 
 #include "support/pinned.h"
 
-namespace {
+namespace multigrid_test {
 
 Grid half(const Grid& grid) {
   return {{grid.cells[0] / 2, grid.cells[1] / 2}, grid.diagonals};
@@ -184,4 +184,4 @@ TEST_P(VCycle, ContractsEveryError) {
   EXPECT_LT(e.maxCoeff(), 1 + 1e-9);
 }
 
-}  // namespace
+}  // namespace multigrid_test

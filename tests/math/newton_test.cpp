@@ -4,7 +4,7 @@
 #include "step03_implicit/time_step.h"
 #include "support/dense.h"
 
-namespace {
+namespace newton_test {
 
 Method newton(int iterations, Jacobian jacobian = Jacobian::definite) {
   Method method;
@@ -190,4 +190,4 @@ TEST_F(Newton, AStepThatDoesNotConvergeIsCounted) {
   EXPECT_EQ(system.counts.unconverged, 1);
 }
 
-}  // namespace
+}  // namespace newton_test

@@ -5,7 +5,7 @@
 
 #include "support/pinned.h"
 
-namespace {
+namespace plain_cg_test {
 
 // Rounded eigenvalues, turned into a full matrix: a block for every two vertices.
 BlockMatrix with_eigenvalues(const VecX& eigenvalues, Random& random) {
@@ -116,4 +116,4 @@ TEST(PlainConjugateGradients, LeaveThePinnedVertexMoving) {
   }
 }
 
-}  // namespace
+}  // namespace plain_cg_test

@@ -6,7 +6,7 @@
 #include "math/incomplete_cholesky.h"
 #include "support/pinned.h"
 
-namespace {
+namespace preconditioner_test {
 
 // T column by column.
 MatX matrix_of(Preconditioner& T, Eigen::Index n) {
@@ -225,4 +225,4 @@ TEST(MakePreconditioner, RefusesWithWhatToUseInstead) {
   has(text, "use --preconditioner ic");
 }
 
-}  // namespace
+}  // namespace preconditioner_test

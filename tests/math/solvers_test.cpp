@@ -4,7 +4,7 @@
 #include "step03_implicit/time_step.h"
 #include "support/dense.h"
 
-namespace {
+namespace solvers_test {
 
 struct Solvers : testing::Test {
   Random random{101};
@@ -171,4 +171,4 @@ TEST_F(Solvers, AStepWithANonPositivePivotIsCounted) {
   }
 }
 
-}  // namespace
+}  // namespace solvers_test

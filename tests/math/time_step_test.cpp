@@ -5,7 +5,7 @@
 #include "support/energy.h"
 #include "support/poses.h"
 
-namespace {
+namespace time_step_test {
 
 TEST(Step01, CarriesNoElementsThatTheSceneDoesNotName) {
   const Mesh mesh = make_grid({1, 1}, {4, 4}, Diagonals::same);
@@ -171,4 +171,4 @@ TEST(Step01, LinearSpringConservesTheShadowEnergyToRounding) {
   EXPECT_GT(highest / lowest, 2) << "at 0.9 of the limit the energy itself swings";
 }
 
-}  // namespace
+}  // namespace time_step_test

@@ -8,7 +8,7 @@
 #include "scene/make_cloth.h"
 #include "support/energy.h"
 
-namespace {
+namespace baraff_witkin_test {
 
 using Positions = std::array<Vec3, 3>;
 using Rest = std::array<Vec2, 3>;
@@ -198,4 +198,4 @@ TEST(Notes000, OnlyTheRootOfTheAreaIsAMaterial) {
   }
 }
 
-}  // namespace
+}  // namespace baraff_witkin_test

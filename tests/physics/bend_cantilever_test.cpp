@@ -4,7 +4,7 @@
 
 #include "cantilever.h"
 
-namespace {
+namespace bend_cantilever_test {
 
 // The elastica itself ----------------------------------------------------------------------------
 
@@ -135,4 +135,4 @@ TEST(BendCantilever, IsTheSameForAllModelsAndGrids) {
   }
 }
 
-}  // namespace
+}  // namespace bend_cantilever_test

@@ -9,7 +9,7 @@
 #include "support/poses.h"
 #include "support/reference.h"
 
-namespace {
+namespace bend_motion_test {
 
 // The force without damping by itself, for methods that need no K.
 struct OnlyForces {
@@ -218,4 +218,4 @@ TEST(BendMotion, AHingeSwingsThroughItsFullFold) {
   }
 }
 
-}  // namespace
+}  // namespace bend_motion_test

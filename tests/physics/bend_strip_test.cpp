@@ -13,7 +13,7 @@
 
 #include "cantilever.h"
 
-namespace {
+namespace bend_strip_test {
 
 // B of the strip over that of a cylinder along the grid.
 double softened(const Cantilever& c, double Gamma) {
@@ -80,4 +80,4 @@ TEST_P(FreeStrip, WiderIsBetweenThatAndTheCylinder) {
   std::printf("\n");
 }
 
-}  // namespace
+}  // namespace bend_strip_test

@@ -8,7 +8,7 @@
 #include "cantilever.h"
 #include "support/decompositions.h"
 
-namespace {
+namespace bend_vibration_test {
 
 // The lowest frequency of the flat strip, in √(B/ρ)/L².
 double lowest_frequency(const Cantilever& c) {
@@ -71,4 +71,4 @@ TEST(BendVibration, IsTheSameForAllModelsAndGrids) {
   }
 }
 
-}  // namespace
+}  // namespace bend_vibration_test

@@ -7,7 +7,7 @@
 #include "support/reference.h"
 #include "support/scenes.h"
 
-namespace {
+namespace convergence_test {
 
 // The error of symplectic Euler with 400 steps as an independent program found it, with a Runge-Kutta
 // method of order 8 for reference.
@@ -52,4 +52,4 @@ TEST_P(Convergence01, OfTheReferenceIsOfOrderFour) {
   EXPECT_NEAR(c.last_order(), 4, 0.2);
 }
 
-}  // namespace
+}  // namespace convergence_test

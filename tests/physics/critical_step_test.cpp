@@ -9,7 +9,7 @@
 #include "support/reference.h"
 #include "support/scenes.h"
 
-namespace {
+namespace critical_step_test {
 
 double critical_step_of(const TestScene& scene) {
   step01::System system(scene.cloth);
@@ -72,4 +72,4 @@ TEST(CriticalStep, SeparatesWhatStaysFromWhatGrows) {
   EXPECT_GT(farthest(1.001), 1e-3);
 }
 
-}  // namespace
+}  // namespace critical_step_test

@@ -11,7 +11,7 @@
 #include "support/modes.h"
 #include "support/scenes.h"
 
-namespace {
+namespace damping_limit_test {
 
 constexpr double k = 1000;
 
@@ -81,4 +81,4 @@ TEST(DampedCriticalStep, IsPredictedWhereModesMixAsWell) {
   EXPECT_NEAR(measured / predicted, 1, 2e-3);
 }
 
-}  // namespace
+}  // namespace damping_limit_test

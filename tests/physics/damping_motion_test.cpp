@@ -9,7 +9,7 @@
 #include "support/poses.h"
 #include "support/reference.h"
 
-namespace {
+namespace damping_motion_test {
 
 void damp(Cloth& cloth, double kd_stretch, double kd_shear) {
   cloth.term<StretchTerm>()->kd = kd_stretch;
@@ -108,4 +108,4 @@ TEST(DampedStrip, ComesToTheExactHangingLength) {
   }
 }
 
-}  // namespace
+}  // namespace damping_motion_test

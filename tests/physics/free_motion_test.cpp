@@ -5,7 +5,7 @@
 #include "support/momenta.h"
 #include "support/reference.h"
 
-namespace {
+namespace free_motion_test {
 
 // Symplectic Euler from rest: v_n = −g n h, and so y_N = −g h² (1 + 2 + … + N). Whatever is missing
 // from that is an internal force that a flat sheet does not have. It is soft, so that 0.01 s is below
@@ -43,4 +43,4 @@ TEST(FreeSpin, KeepsLinearAndAngularMomentum) {
   EXPECT_GT(system.f.cwiseAbs().maxCoeff(), 0.1);
 }
 
-}  // namespace
+}  // namespace free_motion_test

@@ -8,7 +8,7 @@
 #include "support/modes.h"
 #include "support/scenes.h"
 
-namespace {
+namespace hanging_test {
 
 constexpr double L = 1, width = 0.25;
 
@@ -84,4 +84,4 @@ TEST(HangingStrip, IsLongerByItsWeightOverTwiceItsStiffness) {
   }
 }
 
-}  // namespace
+}  // namespace hanging_test

@@ -8,7 +8,7 @@
 #include "support/momenta.h"
 #include "support/reference.h"
 
-namespace {
+namespace implicit_motion_test {
 
 // A flat sheet feels no internal force, so that the fall is that of step 1, at a step that step 1 does
 // not survive: y_N = −g h² N (N + 1)/2.
@@ -135,4 +135,4 @@ TEST_P(Convergence03, IsOfOrderOne) {
   }
 }
 
-}  // namespace
+}  // namespace implicit_motion_test

@@ -5,7 +5,7 @@
 #include "cantilever.h"
 #include "scene/mesh_edges.h"
 
-namespace {
+namespace locking_test {
 
 using MatX = Eigen::MatrixXd;
 using Edge = std::array<int, 2>;
@@ -40,8 +40,6 @@ int rank(const MatX& A) {
   return int(qr.rank());
 }
 
-}  // namespace
-
 // Of 3 V coordinates E = 3 V − 3 − B edges leave B + 3: the more of its vertices are inside, the less of a
 // mesh can move. Six of those are moves of the whole. Counted as the rank of the rigidity matrix, in
 // space; on a flat mesh, where lifting a vertex changes no length at first, it is smaller.
@@ -70,8 +68,6 @@ TEST(Locking, EdgesLeaveAsManyWaysToMoveAsTheBoundaryHasVerticesAndThreeMore) {
     }
 }
 
-namespace {
-
 // A grid of 8 × 8 cells of 1 m, folded by 1 rad on a straight line: which edges change, and by how much.
 struct Folded {
   int changed = 0;
@@ -98,8 +94,6 @@ Folded fold(const Vec2& through, double direction) {
   return folded;
 }
 
-}  // namespace
-
 // A fold along a mesh line bends hinges and costs nothing else. Any other one has to shorten the edges
 // that it crosses: at most to cos(1/2), where it crosses the middle of an edge at a right angle.
 TEST(Locking, OnlyFoldsAlongMeshLinesChangeNoLength) {
@@ -123,8 +117,6 @@ TEST(Locking, OnlyFoldsAlongMeshLinesChangeNoLength) {
   }
 }
 
-namespace {
-
 // How much less a free strip droops when its membrane gets ten thousand times as stiff.
 double locked(int N, double jitter) {
   Cantilever c;
@@ -143,8 +135,6 @@ double locked(int N, double jitter) {
   return lost;
 }
 
-}  // namespace
-
 // Membrane locking: cloth that cannot stretch can only fold along mesh lines, so that it bends less than
 // its hinges would let it; more so where the mesh lines are crooked, less on finer grids. (With k L²/B =
 // 1e4 the weight, Γ = 10, stretches it by 1e-3, and does not count.)
@@ -155,3 +145,5 @@ TEST(Locking, StiffMembranesBendLess) {
   EXPECT_LT(locked(16, 0), 0.9 * straight);
   EXPECT_LT(locked(16, 0.25), 0.9 * crooked);
 }
+
+}  // namespace locking_test

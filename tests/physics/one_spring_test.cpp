@@ -10,7 +10,7 @@
 #include "support/reference.h"
 #include "support/scenes.h"
 
-namespace {
+namespace one_spring_test {
 
 constexpr double k = 30, m = 0.7;  // N/m, kg
 const double omega = std::sqrt(k / m);
@@ -110,4 +110,4 @@ TEST(OneSpring, HasNoCriticalStepWhereItIsAbsent) {
             std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace one_spring_test

@@ -12,7 +12,7 @@
 #include "support/reference.h"
 #include "support/scenes.h"
 
-namespace {
+namespace pendulum_test {
 
 // K(sin²(α/2)) = π / (2 AGM(1, cos(α/2)))                                                     Gauss
 double period_ratio(double amplitude) {
@@ -78,4 +78,4 @@ TEST(Pendulum, ComesFourTimesCloserAsTheStepHalves) {
   }
 }
 
-}  // namespace
+}  // namespace pendulum_test

@@ -8,7 +8,7 @@
 #include "support/reference.h"
 #include "support/scenes.h"
 
-namespace {
+namespace stability_test {
 
 TestScene drop() {
   return sheet(6, Held::by_two_corners, 1e3, 500, Gravity::on);
@@ -109,4 +109,4 @@ TEST(Stability, ForwardEulerExplodesWhereSymplecticEulerKeepsItsEnergy) {
   EXPECT_LT(symplectic.energy_error, 2e-3);  // measured: 6e-4
 }
 
-}  // namespace
+}  // namespace stability_test

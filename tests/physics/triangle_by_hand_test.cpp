@@ -21,7 +21,7 @@
 #include "step01_explicit/time_step.h"
 #include "support/scenes.h"
 
-namespace {
+namespace triangle_by_hand_test {
 
 Mesh triangle_by_hand() {
   Mesh mesh;
@@ -82,4 +82,4 @@ TEST(TriangleByHand, StartsWithThisVelocity) {
   expect_near(state.x.segment<3>(3), Vec3(0.10984175, -8.25e-5, 0), 1e-14, "x_1");
 }
 
-}  // namespace
+}  // namespace triangle_by_hand_test

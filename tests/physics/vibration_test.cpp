@@ -13,7 +13,7 @@
 #include "support/modes.h"
 #include "support/scenes.h"
 
-namespace {
+namespace vibration_test {
 
 constexpr double k = 100, L = 1;
 
@@ -95,4 +95,4 @@ TEST(LengthwiseVibration, OfTheClothComesFourTimesCloserAsTheCellsHalve) {
   EXPECT_NEAR(order_16_32, 2, 0.1);
 }
 
-}  // namespace
+}  // namespace vibration_test

@@ -3,7 +3,7 @@
 
 #include "support/scene_files.h"
 
-namespace {
+namespace bend_scene_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr const char* model_names[] = {"dihedral", "bridson", "quadratic", "springs"};
@@ -44,8 +44,6 @@ size_t elements(const Cloth& cloth) {
   return cloth.hinges.elements.size() + cloth.quadratic_hinges.elements.size() +
          cloth.bend_springs.elements.size();
 }
-
-}  // namespace
 
 TEST_F(BendScene, EachModelHasTheElementsOfItsFamilyAndNoOthers) {
   const auto with = [&](const std::string& model) {
@@ -183,3 +181,5 @@ TEST_F(BendScene, DampingWithoutTheTableIsRefusedWithWhatTheStepKnows) {
   expect_says(refused(grid + "[damping]\nbent = 1"),
               {"scene.toml:10: [damping] has no key bent; did you mean \"bend\"? "});
 }
+
+}  // namespace bend_scene_test

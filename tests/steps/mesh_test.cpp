@@ -8,6 +8,8 @@
 #include "support/scene_files.h"
 #include "text/text_file.h"
 
+namespace mesh_test {
+
 using MeshTest = SceneFiles;
 
 double rest_area(const Mesh& mesh) {
@@ -247,3 +249,5 @@ TEST_P(Garment, HasTheMassOfItsPatternAndComesBackToTheLastDigit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Garment, testing::Values("tshirt.obj", "pants3.obj"));
+
+}  // namespace mesh_test

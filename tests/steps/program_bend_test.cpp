@@ -2,7 +2,7 @@
 #include "scene/mesh.h"
 #include "support/program_runner.h"
 
-namespace {
+namespace program_bend_test {
 
 class BendProgram : public ProgramDirectory {
  protected:
@@ -32,8 +32,6 @@ std::string curtain_with(const std::string& bend, const std::string& damping) {
   }
   return text;
 }
-
-}  // namespace
 
 // With the k that gives all of them one modulus; springs have none.
 TEST_F(BendProgram, FourModelsDrawFourCurtains) {
@@ -68,3 +66,5 @@ TEST_F(BendProgram, ItsRingsHaveNoNumbersOnOtherCells) {
       << refused.err;
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
 }
+
+}  // namespace program_bend_test

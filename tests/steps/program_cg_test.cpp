@@ -7,7 +7,7 @@
 #include "scene/velocities.h"
 #include "support/program_runner.h"
 
-namespace {
+namespace program_cg_test {
 
 constexpr const char* preconditioners[] = {"none", "jacobi", "block", "ic", "multigrid"};
 
@@ -66,8 +66,6 @@ std::string shortest(double number) {
 void expect_says(const std::string& out, const std::string& part) {
   EXPECT_NE(out.find(part), std::string::npos) << "\"" << part << "\" is not in\n" << out;
 }
-
-}  // namespace
 
 TEST_P(ConjugateGradients, HelpListsTheirOptionsAndTheDefaultOfEach) {
   const std::string help = run({"--help"}).out;
@@ -265,3 +263,5 @@ TEST_F(ProgramDirectory, Step04EndsWhereStep03Ends) {
     EXPECT_LT(rms_distance(x, direct), 1e-6) << preconditioner;
   }
 }
+
+}  // namespace program_cg_test

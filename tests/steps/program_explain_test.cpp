@@ -6,7 +6,7 @@
 #include "scene/mesh.h"
 #include "support/program_runner.h"
 
-namespace {
+namespace program_explain_test {
 
 size_t width_of(const std::string& line) {
   return size_t(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -63,8 +63,6 @@ class Explain : public ProgramTest {
 };
 class ExplainExplicit : public Explain {};
 class ExplainIterative : public Explain {};
-
-}  // namespace
 
 TEST_P(Explain, IsOneScreenAndWritesNothing) {
   for (const Arguments& arguments :
@@ -160,8 +158,6 @@ INSTANTIATE_TEST_SUITE_P(Programs, ExplainExplicit, testing::ValuesIn(explicit_p
 INSTANTIATE_TEST_SUITE_P(Programs, ExplainIterative, testing::ValuesIn(iterative_programs()),
                          name_of);
 
-namespace {
-
 const std::string damped_and_bending =
     "[cloth]\nsize = [1.0, 1.0]\ncells = [6, 6]\ndensity = 0.2\n"
     "pins = [\"top left\", {vertex = \"top right\", velocity = [-0.2, 0, 0]}]\n"
@@ -178,8 +174,6 @@ class ExplainBend : public ProgramDirectory {
   }
   const StepProgram step05 = program_called("step05_bend");
 };
-
-}  // namespace
 
 // A damping that has no option of its own: its line is taken out of the scene.
 TEST_F(ExplainBend, BendingAndTheDampingOfOneTermMoveTheClothAsFarAsItSays) {
@@ -201,3 +195,5 @@ TEST_F(ExplainBend, BendingAndTheDampingOfOneTermMoveTheClothAsFarAsItSays) {
             moved(final_of("undamped.toml", {"--end", time})));
   EXPECT_NE(said.find("2 pinned (1 of them moves)"), std::string::npos) << said;
 }
+
+}  // namespace program_explain_test

@@ -6,7 +6,7 @@
 #include "scene/mesh.h"
 #include "support/program_runner.h"
 
-namespace {
+namespace program_options_test {
 
 class OptionsTest : public ProgramTest {
  protected:
@@ -28,8 +28,6 @@ std::vector<unsigned char> left_part(const Image& image) {
   }
   return rgb;
 }
-
-}  // namespace
 
 TEST_P(OptionsTest, HelpListsEveryOption) {
   const Outcome help = run({"--help"});
@@ -154,3 +152,5 @@ TEST_P(OptionsTest, PicturesSayWhatMadeThem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, OptionsTest, testing::ValuesIn(programs()), name_of);
+
+}  // namespace program_options_test

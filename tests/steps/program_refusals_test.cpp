@@ -4,7 +4,7 @@
 
 #include "support/program_runner.h"
 
-namespace {
+namespace program_refusals_test {
 
 const std::string cloth = R"([cloth]
 size = [1.0, 1.0]
@@ -141,8 +141,6 @@ void expect_one_line(const Outcome& outcome, const std::vector<std::string>& say
                                                          << outcome.err;
 }
 
-}  // namespace
-
 using BadInput = std::tuple<StepProgram, BadInputCase>;
 class BadInputTest : public ProgramDirectory, public testing::WithParamInterface<BadInput> {};
 
@@ -202,3 +200,5 @@ TEST_P(ProgramTest, NamesTheStepThatTeachesATableAndRunsWithoutIt) {
     std::filesystem::remove_all(directory / "out");
   }
 }
+
+}  // namespace program_refusals_test

@@ -5,7 +5,7 @@
 #include "scene/velocities.h"
 #include "support/program_runner.h"
 
-namespace {
+namespace program_results_test {
 
 // All columns but the last, the milliseconds.
 std::string without_milliseconds(const std::string& csv) {
@@ -63,8 +63,6 @@ const Golden* golden_of(const StepProgram& program) {
     if (golden.program == program.name) return &golden;
   return nullptr;
 }
-
-}  // namespace
 
 TEST_P(ProgramTest, LogsARowPerFrameAndLeavesTheLastState) {
   const double h = 0.0002, end = 0.1;
@@ -168,3 +166,5 @@ TEST_P(ProgramTest, ContinuedFromItsLastStateEndsWhereOneRunEnds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, ProgramTest, testing::ValuesIn(programs()), name_of);
+
+}  // namespace program_results_test

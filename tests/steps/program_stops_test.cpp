@@ -8,7 +8,7 @@
 #include "scene/velocities.h"
 #include "support/program_runner.h"
 
-namespace {
+namespace program_stops_test {
 
 // What the program says about its longest stable step.
 double critical_step_of(const std::string& output) {
@@ -50,8 +50,6 @@ class StopsTest : public ProgramTest {
   }
 };
 class ExplosionTest : public StopsTest {};
-
-}  // namespace
 
 TEST_P(StopsTest, FullDiskIsNamedWithFileAndReasonAndLeavesNoPartOfIt) {
   expect_full_disk(1500, "log.csv", {"--frames", "100", "--no-pictures"});
@@ -149,3 +147,5 @@ TEST_P(StopsTest, CtrlCFinishesTheLogTheFilmAndTheLastState) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, StopsTest, testing::ValuesIn(programs()), name_of);
 INSTANTIATE_TEST_SUITE_P(Programs, ExplosionTest, testing::ValuesIn(explicit_programs()), name_of);
+
+}  // namespace program_stops_test

@@ -6,7 +6,7 @@
 
 #include "support/program_runner.h"
 
-namespace {
+namespace program_tshirt_test {
 
 const std::filesystem::path shirt =
     std::filesystem::path(SOURCE_DIRECTORY) / "../shared/meshes/tshirt.obj";
@@ -104,8 +104,6 @@ class ShirtTest : public ProgramTest {
   }
 };
 
-}  // namespace
-
 // A corner that took its vertex' first texture coordinate would change both numbers.
 TEST_P(ShirtTest, TakesItsRestShapeFromTheTextureCoordinatesOfEachCorner) {
   const Fit fit = fit_of(read_shirt());
@@ -138,3 +136,5 @@ TEST_P(ShirtTest, HangsByItsShoulders) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, ShirtTest, testing::ValuesIn(programs()), name_of);
+
+}  // namespace program_tshirt_test

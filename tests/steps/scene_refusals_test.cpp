@@ -4,6 +4,8 @@
 
 #include "support/scene_files.h"
 
+namespace scene_refusals_test {
+
 using SceneRefusals = SceneFiles;
 
 // 8 lines come before what is added.
@@ -308,3 +310,5 @@ TEST_F(SceneRefusals, ValuesOfTheCommandLineAreCheckedLikeThoseOfTheFile) {
     expect_says(refusal(scene, "step01", bad[i]),
                 {"scene.toml: " + keys[i], "from the command line", "it must be"});
 }
+
+}  // namespace scene_refusals_test

@@ -2,6 +2,8 @@
 #include "scene/velocities.h"
 #include "support/scene_files.h"
 
+namespace scene_test {
+
 using SceneTest = SceneFiles;
 
 const std::string all_tables =
@@ -147,8 +149,6 @@ TEST_F(SceneTest, PinnedVerticesStartAtRest) {
     EXPECT_EQ(scene.start.v.segment<3>(3 * i).isZero(0), i == 0 || i == 4) << i;
 }
 
-namespace {
-
 // The smallest scene with these pins, for a step that knows tables of them.
 std::string with_pins(const std::string& list) {
   return with_line(4, "density = 1\npins = " + list);
@@ -157,8 +157,6 @@ std::string with_pins(const std::string& list) {
 Mat3 diagonal(double x, double y, double z) {
   return Vec3(x, y, z).asDiagonal();
 }
-
-}  // namespace
 
 TEST_F(SceneTest, PinsFixTheAxesOfTheirLettersAndLeaveTheOthersFree) {
   const auto free_of = [&](const std::string& fix) {
@@ -290,3 +288,5 @@ TEST_F(SceneTest, AStillAtTheVeryEndAndWindowsLineEndsAreAccepted) {
 TEST_F(SceneTest, AProgramThatIsNoStepIsAnErrorOfTheProgrammer) {
   EXPECT_THROW(read(cloth_and_time, "study"), std::invalid_argument);
 }
+
+}  // namespace scene_test

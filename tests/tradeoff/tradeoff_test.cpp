@@ -7,8 +7,7 @@
 #include "text/text_file.h"
 #include "tradeoff/report.h"
 
-namespace tradeoff {
-namespace {
+namespace tradeoff::tradeoff_test {
 
 class TradeOff : public testing::Test {
  protected:
@@ -314,5 +313,4 @@ TEST_F(TradeOff, RefusesScenesThatItDoesNotKnow) {
   EXPECT_NE(refusal({"trampoline", {}, 12}).find("the trampoline has 6"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace tradeoff
+}  // namespace tradeoff::tradeoff_test

@@ -6,7 +6,7 @@
 #include "support/scenes.h"
 #include "ways/way.h"
 
-namespace {
+namespace ways_test {
 
 TestScene damped_sheet() {
   TestScene scene = sheet(6, Held::by_two_corners, 1000, 500, Gravity::on);
@@ -89,4 +89,4 @@ TEST(Ways, KnowTheCriticalStep) {
   }
 }
 
-}  // namespace
+}  // namespace ways_test
