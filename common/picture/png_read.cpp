@@ -9,15 +9,15 @@
 
 namespace {
 
-struct Failure : std::runtime_error {
-  Failure(const std::filesystem::path& path, const std::string& reason)
+struct CannotRead : std::runtime_error {
+  CannotRead(const std::filesystem::path& path, const std::string& reason)
       : std::runtime_error("cannot read " + path.string() + ": " + reason) {}
 };
 
 std::string file_bytes(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file) throw Failure(path, "no such file, or not readable");
+  if (!file) throw CannotRead(path, "no such file, or not readable");
   return bytes;
 }
 
@@ -33,12 +33,12 @@ std::size_t big_endian(const std::string& bytes, std::size_t at) {
 Image read_png(const std::filesystem::path& path) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  if (!png_image_begin_read_from_file(&png, path.c_str())) throw Failure(path, png.message);
+  if (!png_image_begin_read_from_file(&png, path.c_str())) throw CannotRead(path, png.message);
   png.format = PNG_FORMAT_RGB;
   Image image = filled_image(static_cast<int>(png.width), static_cast<int>(png.height), {0, 0, 0});
   const png_color white{255, 255, 255};  // behind transparent pixels
   if (!png_image_finish_read(&png, &white, image.rgb.data(), 0, nullptr))
-    throw Failure(path, png.message);
+    throw CannotRead(path, png.message);
   return image;
 }
 
@@ -46,11 +46,11 @@ Image read_png(const std::filesystem::path& path) {
 // The content of a tEXt chunk is key, zero byte, text.
 PngText read_png_text(const std::filesystem::path& path) {
   const std::string bytes = file_bytes(path);
-  if (bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) throw Failure(path, "not a PNG file");
+  if (bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) throw CannotRead(path, "not a PNG file");
   PngText text;
   for (std::size_t at = 8; at + 12 <= bytes.size();) {
     const std::size_t length = big_endian(bytes, at);
-    if (length > bytes.size() - at - 12) throw Failure(path, "the file is cut short");
+    if (length > bytes.size() - at - 12) throw CannotRead(path, "the file is cut short");
     const std::string content = bytes.substr(at + 8, length);
     const std::size_t zero = content.find('\0');
     if (bytes.compare(at + 4, 4, "tEXt") == 0 && zero != std::string::npos)

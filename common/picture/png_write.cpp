@@ -11,8 +11,8 @@
 
 namespace {
 
-struct Failure : std::runtime_error {
-  Failure(const std::filesystem::path& path, const std::string& reason)
+struct CannotWrite : std::runtime_error {
+  CannotWrite(const std::filesystem::path& path, const std::string& reason)
       : std::runtime_error("cannot write " + path.string() + ": " + reason) {}
 };
 
@@ -80,11 +80,11 @@ std::string write_file(std::FILE* file, const Image& image, const PngText& text)
 
 void require_writable(const std::filesystem::path& path, const Image& image) {
   if (image.width < 1 || image.height < 1 || image.rgb.size() != 3 * pixel_count(image))
-    throw Failure(path, "the image is empty or its size does not fit its pixels");
+    throw CannotWrite(path, "the image is empty or its size does not fit its pixels");
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw Failure(path, "it exists and is not a regular file");
+    throw CannotWrite(path, "it exists and is not a regular file");
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ void write_png(const std::filesystem::path& path, const Image& image, const PngT
   require_writable(path, image);
   const std::filesystem::path part = path.string() + ".part";
   std::FILE* file = std::fopen(part.c_str(), "wb");
-  if (file == nullptr) throw Failure(path, std::strerror(errno));
+  if (file == nullptr) throw CannotWrite(path, std::strerror(errno));
 
   std::string reason = write_file(file, image, text);
   if (std::fclose(file) != 0 && reason.empty()) reason = std::strerror(errno);
@@ -102,5 +102,5 @@ void write_png(const std::filesystem::path& path, const Image& image, const PngT
   if (error) reason = error.message();
   if (reason.empty()) return;
   std::filesystem::remove(part, error);
-  throw Failure(path, reason);
+  throw CannotWrite(path, reason);
 }

@@ -7,8 +7,6 @@
 
 namespace {
 
-using Corner = tinyobj::index_t;  // numbers from 0; −1 where the corner has no texture coordinate
-
 tinyobj::ObjReader read(const std::filesystem::path& path) {
   const std::string text = read_text(path);
   check_obj(text, path);
@@ -25,7 +23,7 @@ VecX positions(const tinyobj::attrib_t& file) {
 }
 
 // Either all corners of a face have one or none (check_obj.h).
-bool has_uv(const Corner& corner) {
+bool has_uv(const tinyobj::index_t& corner) {
   return corner.texcoord_index >= 0;
 }
 
@@ -37,7 +35,7 @@ std::array<Vec2, 3> laid_flat(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
           Vec2(edge.dot(side) / length, edge.cross(side).norm() / length)};
 }
 
-std::array<Vec2, 3> rest_shape(const tinyobj::attrib_t& file, const Corner* corner) {
+std::array<Vec2, 3> rest_shape(const tinyobj::attrib_t& file, const tinyobj::index_t* corner) {
   const auto uv = [&](int i) -> Vec2 {
     return Eigen::Map<const Vec2>(file.texcoords.data() + 2 * corner[i].texcoord_index);
   };
@@ -56,7 +54,7 @@ Mesh read_obj(const std::filesystem::path& path) {
   mesh.x = positions(reader.GetAttrib());
   for (const tinyobj::shape_t& shape : reader.GetShapes())
     for (size_t c = 0; c < shape.mesh.indices.size(); c += 3) {
-      const Corner* corner = &shape.mesh.indices[c];
+      const tinyobj::index_t* corner = &shape.mesh.indices[c];
       mesh.faces.push_back(
           {corner[0].vertex_index, corner[1].vertex_index, corner[2].vertex_index});
       mesh.rest.push_back(rest_shape(reader.GetAttrib(), corner));

@@ -5,7 +5,7 @@
 
 namespace {
 
-using Corner = std::array<double, 3>;  // vertex, u, v
+using VertexUv = std::array<double, 3>;  // vertex, u, v
 
 void append_record(std::string& text, const char* keyword, const auto& numbers) {
   text += keyword;
@@ -20,12 +20,12 @@ void append_record(std::string& text, const char* keyword, const auto& numbers) 
 // (u, v) share one; the corners on the two sides of a seam do not.
 std::string texture_lines(const Mesh& mesh, std::vector<Face>& numbers) {
   std::string text;
-  std::map<Corner, int> number_of;
+  std::map<VertexUv, int> number_of;
   for (size_t face = 0; face < mesh.faces.size(); ++face) {
     Face& number = numbers.emplace_back();
     for (size_t c = 0; c < 3; ++c) {
       const Vec2& uv = mesh.rest[face][c];
-      const Corner corner = {double(mesh.faces[face][c]), uv.x(), uv.y()};
+      const VertexUv corner = {double(mesh.faces[face][c]), uv.x(), uv.y()};
       const auto [at, is_new] = number_of.try_emplace(corner, int(number_of.size()) + 1);
       if (is_new) append_record(text, "vt", uv);
       number[c] = at->second;

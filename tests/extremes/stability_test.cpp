@@ -7,11 +7,15 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace extremes::stability_test {
+namespace extremes {
 
-static void PrintTo(Verdict verdict, std::ostream* out) {
+inline void PrintTo(Verdict verdict, std::ostream* out) {
   *out << name(verdict);
 }
+
+}  // namespace extremes
+
+namespace extremes::stability_test {
 
 constexpr Watch coarse = {.cells = 4, .most = 60};
 

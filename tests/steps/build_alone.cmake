@@ -1,23 +1,30 @@
-# A step builds alone, and the project from the top has it as a target. -O0: compiling is the cost here.
-#   cmake -DSOURCE=… -DSTEP=step01_explicit -DCOMPILER=… -DGENERATOR=… -DDIRECTORY=… -P build_alone.cmake
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
+# A step builds alone: there, its main.cpp is compiled by the same command as from the top, where it is built.
+#   cmake -DSOURCE=… -DSTEP=step01_explicit -DTOP=BUILD -DDIRECTORY=… -DOPTIONS=… -P build_alone.cmake
+function(compile_command build result)
+  file(READ ${build}/compile_commands.json commands)
+  string(JSON count LENGTH "${commands}")
+  math(EXPR last "${count} - 1")
+  foreach(i RANGE ${last})
+    string(JSON file GET "${commands}" ${i} file)
+    if(file MATCHES "/${STEP}/main.cpp$")
+      string(JSON command GET "${commands}" ${i} command)
+      string(REGEX REPLACE " -o .*" "" command "${command}")  # the file that is written differs
+      set(${result} "${command}" PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "${build} does not compile ${STEP}/main.cpp")
 endfunction()
 
-set(options -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0)
 file(REMOVE_RECURSE ${DIRECTORY})
-run(${CMAKE_COMMAND} -S ${SOURCE}/${STEP} -B ${DIRECTORY}/alone ${options})
-# Its libraries are those that it is linked with from the top.
-run(${CMAKE_COMMAND} --build ${DIRECTORY}/alone --target CMakeFiles/${STEP}.dir/main.cpp.o)
-
-run(${CMAKE_COMMAND} -S ${SOURCE} -B ${DIRECTORY}/top ${options} -DLARGE_STEPS_TESTS=OFF)
-run(${CMAKE_COMMAND} --build ${DIRECTORY}/top --target help)
-if(NOT output MATCHES "${STEP}")
-  message(FATAL_ERROR "from the top there is no target ${STEP}:\n${output}")
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/${STEP} -B ${DIRECTORY} ${OPTIONS}
+  RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(failed)
+  message(FATAL_ERROR "${STEP} does not configure alone:\n${output}")
 endif()
+compile_command(${DIRECTORY} alone)
+compile_command(${TOP} top)
 file(REMOVE_RECURSE ${DIRECTORY})
+if(NOT alone STREQUAL top)
+  message(FATAL_ERROR "${STEP}/main.cpp is compiled alone by\n  ${alone}\nand from the top by\n  ${top}")
+endif()
