@@ -17,6 +17,10 @@ elseif(CMAKE_GENERATOR MATCHES "Makefiles")
 endif()
 require_tool(g++ "${CMAKE_CXX_COMPILER}${CMAKE_TOOLCHAIN_FILE}$ENV{CXX}" g++ c++ clang++)
 
+if(CMAKE_BINARY_DIR MATCHES "\"")
+  message(FATAL_ERROR "CMake cannot build in a directory whose path contains a double quote: ${CMAKE_BINARY_DIR}")
+endif()
+
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)  # Eigen without -O is 20 times slower
 endif()
