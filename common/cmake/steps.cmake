@@ -41,7 +41,8 @@ macro(find_package_of debian_package package)
   endif()
 endmacro()
 
-# No contraction into fused multiply-adds: the same scene gives the same bytes with every compiler.
+# No contraction into fused multiply-adds: with the same Eigen, the same scene gives the same positions to the
+# last bit with every compiler.
 function(cloth_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)

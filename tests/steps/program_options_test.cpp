@@ -169,7 +169,8 @@ TEST_P(OptionsTest, FilmHoldsAllFramesOfAShortRun) {
   EXPECT_LT(film.height, 2 * 90);
 }
 
-// … and neither when nor where: the same run gives the same bytes on every day and machine.
+// … and neither when nor where: on one machine, the same run gives the same bytes on every day and in
+// every directory.
 TEST_P(OptionsTest, PicturesSayWhatMadeThem) {
   const std::filesystem::path out =
       results("out", 8, {"--frames", "2", "--h", "0.0001", "--size", "160x90", "--caption"});
