@@ -1,6 +1,25 @@
-# What every target of the project shares. A step includes this file whether it is built alone or from
-# the top: whoever comes first adds the common libraries.
+# What every target of the project shares. A step includes this file, before project(), whether it is built
+# alone or from the top. The first step adds the common libraries.
 include_guard(GLOBAL)
+
+# project() stops where a tool is missing, and its message names no package. So the tools are looked for first.
+function(require_tool debian_package chosen)
+  find_program(tool NAMES ${ARGN} NO_CACHE)
+  if(NOT tool AND NOT chosen)
+    list(GET ARGN 0 name)
+    message(FATAL_ERROR "${name} was not found: sudo apt-get install ${debian_package}")
+  endif()
+endfunction()
+if(CMAKE_GENERATOR MATCHES "Ninja")
+  require_tool(ninja-build "${CMAKE_MAKE_PROGRAM}" ninja ninja-build samu)
+elseif(CMAKE_GENERATOR MATCHES "Makefiles")
+  require_tool(make "${CMAKE_MAKE_PROGRAM}" make gmake smake)
+endif()
+require_tool(g++ "${CMAKE_CXX_COMPILER}${CMAKE_TOOLCHAIN_FILE}$ENV{CXX}" g++ c++ clang++)
+
+if(CMAKE_BINARY_DIR MATCHES "\"")
+  message(FATAL_ERROR "CMake cannot build in a directory whose path contains a double quote: ${CMAKE_BINARY_DIR}")
+endif()
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)  # Eigen without -O is 20 times slower
@@ -14,14 +33,21 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)  # for editors and clang-tidy
 option(LARGE_STEPS_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
 # A message that names the Debian package beats one that names a CMake variable.
-macro(find_package_of debian_package)
-  find_package(${ARGN} QUIET)
-  if(NOT ${ARGV1}_FOUND)
-    message(FATAL_ERROR "${ARGV1} was not found: sudo apt-get install ${debian_package}")
+# find_package_of(libeigen3-dev Eigen3 [AT_LEAST 3.4] [options of find_package]). A version that is handed to
+# find_package itself would also refuse the next major version.
+macro(find_package_of debian_package package)
+  cmake_parse_arguments(find "" "AT_LEAST" "" ${ARGN})
+  find_package(${package} QUIET ${find_UNPARSED_ARGUMENTS})
+  if(NOT ${package}_FOUND)
+    message(FATAL_ERROR "${package} was not found: sudo apt-get install ${debian_package}")
+  elseif(find_AT_LEAST AND ${package}_VERSION VERSION_LESS find_AT_LEAST)
+    message(FATAL_ERROR "${package} ${find_AT_LEAST} or newer is needed. Version ${${package}_VERSION} was found in "
+      "${${package}_DIR}: sudo apt-get install ${debian_package}, or -D${package}_DIR=… to choose another one")
   endif()
 endmacro()
 
-# No contraction into fused multiply-adds: the same scene gives the same bytes with every compiler.
+# No contraction into fused multiply-adds: with the same Eigen, the same scene gives the same positions to the
+# last bit with every compiler.
 function(cloth_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
@@ -37,21 +63,28 @@ function(cloth_target target)
   endif()
 endfunction()
 
+# Defines NAME for the compiler as a string that holds a path. The raw string takes a path with quotes.
+function(define_path target name path)
+  target_compile_definitions(${target} PRIVATE "${name}=R\"path(${path})path\"")
+endfunction()
+
 # A step: its program, which finds its scene in the step's own directory, and its pictures in the gallery.
 function(add_step step)
+  if(NOT TARGET cloth_explain)
+    add_subdirectory(${LARGE_STEPS_COMMON} ${CMAKE_BINARY_DIR}/common)
+  endif()
   add_executable(${step} ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
   cloth_target(${step})
   set_target_properties(${step} PROPERTIES UNITY_BUILD OFF)
   target_link_libraries(${step} PRIVATE cloth_explain)
-  target_compile_definitions(${step} PRIVATE STEP_DIRECTORY="${CMAKE_CURRENT_SOURCE_DIR}")
+  define_path(${step} STEP_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
   if(NOT TARGET gallery)
     add_custom_target(gallery)
   endif()
   add_custom_target(gallery_${step}
-    COMMAND ${step} --out ${CMAKE_BINARY_DIR}/gallery/${step} USES_TERMINAL)
+    COMMAND ${step} --out ${CMAKE_BINARY_DIR}/gallery/${step} USES_TERMINAL VERBATIM)
   add_dependencies(gallery gallery_${step})
 endfunction()
 
 set(LARGE_STEPS_VERSION 1.0)
 get_filename_component(LARGE_STEPS_COMMON ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
-add_subdirectory(${LARGE_STEPS_COMMON} ${CMAKE_BINARY_DIR}/common)

@@ -1,4 +1,5 @@
-// An OpenGL 3.3 context without a window, drawn by the CPU: the same picture on every machine.
+// An OpenGL 3.3 context without a window. The CPU draws, so the same version of Mesa draws the same
+// picture on every machine.
 #pragma once
 #include <memory>
 #include <string>

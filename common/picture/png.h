@@ -7,8 +7,8 @@
 
 #include "picture/image.h"
 
-// What a picture says about itself (tEXt chunks): key, text. Never a date: the same run must write
-// the same bytes.
+// What a picture says about itself (tEXt chunks): key, text. Never a date: on one machine, the same
+// run must write the same bytes on every day.
 using PngText = std::vector<std::pair<std::string, std::string>>;
 
 // Writes "<path>.part" and renames it, so a reader never sees half a picture. Throws

@@ -42,6 +42,8 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   options.scene = program.directory / "scene.toml";
   options.out = std::filesystem::path("out") / program.name;
 
+  // No -h: CLI11 2.4 refuses --h beside it.
+  app.set_help_flag("--help", "list the options");
   app.add_option("scene", options.scene, "what is simulated; the step's own scene.toml if absent")
       ->option_text("[scene.toml]");
   app.add_option("--out", options.out, "where the results go; out/" + program.name + " if absent")

@@ -43,8 +43,9 @@ bool names(const SceneFile& scene, const TermInfo& term) {
 }
 
 void check_keys(const TomlTable& table, const TermInfo& term) {
-  Names keys = {"k"};
-  if (!term.model.empty()) keys.insert(keys.begin(), "model");
+  Names keys;
+  if (!term.model.empty()) keys.push_back("model");
+  keys.push_back("k");
   if (!has_modulus(term.table)) return table.allow_only(keys);
   keys.push_back("B");
   table.allow_only(keys);

@@ -87,7 +87,7 @@ Scene with_zero(const Part& part, const Way& way) {
 }
 
 Outcome run(const std::string& program, const Scene& scene) {
-  std::string command = PROGRAM_DIRECTORY "/" + program;
+  std::string command = "\"" PROGRAM_DIRECTORY "/" + program + "\"";
   for (const auto& [name, value] : scene) command += " " + name + "=" + value;
   FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) throw std::runtime_error(command + ": could not be started");

@@ -309,6 +309,7 @@ void run(const Study& study) {
 int main(int argc, char** argv) {
   Study study;
   CLI::App app("What becomes of a cloth at every time step and every stiffness, in every step");
+  app.set_help_flag("--help", "list the options");
   app.add_flag("--quick", study.quick, "fewer cells, half a minute");
   app.add_option("--threads", study.threads, "2 if absent")
       ->check(positive_integer)

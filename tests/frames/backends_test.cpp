@@ -15,7 +15,7 @@ TEST(Backends, OsMesaAndEglDrawTheSame) {
   const auto frames = [](const std::string& program, const std::string& name) {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / (name + "_frames_" + std::to_string(getpid()));
-    EXPECT_EQ(std::system((program + " " + path.string()).c_str()), 0) << name;
+    EXPECT_EQ(std::system(("\"" + program + "\" " + path.string()).c_str()), 0) << name;
     std::ifstream file(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
     std::filesystem::remove(path);

@@ -25,7 +25,7 @@ Verdict verdict_of(int pixels, int by) {
 
 // The exit code of the tool for two files.
 int exit_code(const std::string& arguments) {
-  const std::string command = std::string(COMPARE_FRAMES) + " " + arguments + " > /dev/null 2>&1";
+  const std::string command = "\"" COMPARE_FRAMES "\" " + arguments + " > /dev/null 2>&1";
   return WEXITSTATUS(std::system(command.c_str()));
 }
 

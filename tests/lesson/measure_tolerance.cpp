@@ -262,6 +262,7 @@ void run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App app("What a tolerance of conjugate gradients is worth");
+  app.set_help_flag("--help", "list the options");  // without -h, because of --h
   app.add_option("scene", arguments.scene, "that of step04_cg if absent");
   app.add_option("--out", arguments.out, "where table and picture go");
   app.add_option("--preconditioner", arguments.preconditioner);

@@ -1,6 +1,7 @@
 // Every option does what --help says.
 #include <cmath>
 #include <regex>
+#include <set>
 
 #include "picture/png.h"
 #include "scene/mesh.h"
@@ -29,6 +30,15 @@ std::vector<unsigned char> left_part(const Image& image) {
   return rgb;
 }
 
+// The names that follow the dashes in a text of --help: letters of short flags, words of long ones.
+std::set<std::string> flags(const std::string& help, const std::string& dashes) {
+  const std::regex flag("(^|[\\s,])" + dashes + "([A-Za-z][A-Za-z-]*)");
+  std::set<std::string> names;
+  for (std::sregex_iterator match(help.begin(), help.end(), flag), end; match != end; ++match)
+    names.insert((*match)[2]);
+  return names;
+}
+
 TEST_P(OptionsTest, HelpListsEveryOption) {
   const Outcome help = run({"--help"});
   EXPECT_EQ(help.code, 0);
@@ -39,6 +49,31 @@ TEST_P(OptionsTest, HelpListsEveryOption) {
         "--caption", "--strain S", "--help", "--version"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option << " is not in\n" << help.out;
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
+}
+
+// CLI11 2.4 takes -h and --h for the same option and refuses the second one: no program would start.
+TEST_P(OptionsTest, NoShortFlagHasTheNameOfALongOne) {
+  const std::string help = run({"--help"}).out;
+  const std::set<std::string> long_flags = flags(help, "--");
+  EXPECT_TRUE(long_flags.contains("h")) << help;
+  for (const std::string& letter : flags(help, "-"))
+    EXPECT_FALSE(long_flags.contains(letter)) << "-" << letter << " and --" << letter;
+}
+
+// CLI11 gives every program the flag -h unless the flag of the help is named first.
+TEST(OptionsOfEveryProgram, BeginWithTheFlagOfTheHelp) {
+  int sources = 0;
+  for (const char* folder : {"common", "tests"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(
+             std::filesystem::path(SOURCE_DIRECTORY) / folder)) {
+      if (entry.path().extension() != ".cpp") continue;
+      const std::string text = read_all(entry.path());
+      const size_t first_option = text.find("\n  app.add_");
+      if (first_option == std::string::npos) continue;
+      EXPECT_LT(text.find("\n  app.set_help_flag(\"--help\""), first_option) << entry.path();
+      ++sources;
+    }
+  EXPECT_GE(sources, 4);
 }
 
 TEST_P(OptionsTest, VersionIsOneLineWithTheNameOfTheProgram) {
@@ -132,7 +167,8 @@ TEST_P(OptionsTest, FilmHoldsAllFramesOfAShortRun) {
   EXPECT_LT(film.height, 2 * 90);
 }
 
-// … and neither when nor where: the same run gives the same bytes on every day and machine.
+// … and neither when nor where: on one machine, the same run gives the same bytes on every day and in
+// every directory.
 TEST_P(OptionsTest, PicturesSayWhatMadeThem) {
   const std::filesystem::path out =
       results("out", 8, {"--frames", "2", "--h", "0.0001", "--size", "160x90", "--caption"});

@@ -130,6 +130,7 @@ int main(int argc, char** argv) {
   Plan& plan = arguments.plan;
   plan.choice.scene = "drop";
   CLI::App app("What accuracy costs: every way that the five steps offer, on one scene");
+  app.set_help_flag("--help", "list the options");
   app.footer(scenes_for_help());
   app.add_option("scene", plan.choice.scene, "a built-in scene or a scene.toml; drop if absent");
   app.add_option("--out", plan.out, "where everything goes; out/tradeoff/SCENE if absent")
