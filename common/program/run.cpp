@@ -242,6 +242,7 @@ void Run::check(const State& state, const Counters& counts) {
 
 // Looks at the state as a whole: has it exploded, has it gained energy?
 Measures Run::look(const State& state) {
+  if (files->step == looked_step) return latest;
   const Measures now = {energies(files->scene.cloth, state),
                         max_stretch(files->scene.mesh, state.x)};
   if (!(now.max_stretch <= exploded_stretch)) {
@@ -254,7 +255,8 @@ Measures Run::look(const State& state) {
   const double gain = now.energies.total() - files->start.total();
   files->most_gained = std::max(files->most_gained, gain);
   if (gain > 1e-3 * files->scale && !files->pins_work) ++gained;
-  return now;
+  looked_step = files->step;
+  return latest = now;
 }
 
 void Run::record(int frame, const State& state) {

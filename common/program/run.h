@@ -36,7 +36,9 @@ class Run {
   long steps() const;  // done so far
 
  private:
-  Measures look(const State&);
+  Measures look(const State&);  // once for each step
+  Measures latest;
+  long looked_step = -1;
   Counters counters;
   long gained = 0;  // looked-at steps with more energy than the start, by over 1e-3 of its scale;
                     // not counted where a pin moves, which does work

@@ -168,3 +168,27 @@ TEST_P(ProgramTest, ContinuedFromItsLastStateEndsWhereOneRunEnds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, ProgramTest, testing::ValuesIn(programs()), name_of);
+
+// A step that is also a frame is one step. The matrix as it is printed makes this cloth burst: from then on
+// every step has more energy than the start.
+TEST_F(ProgramDirectory, CountsAStepWithMoreEnergyThanTheStartOnce) {
+  const std::string steps = "38";
+  write("scene.toml",
+        "[cloth]\nsize = [1.0, 1.0]\ncells = [12, 12]\ndiagonals = \"same\"\ndensity = 0.2\n"
+        "pins = [\"top left\", \"top right\"]\n[gravity]\ng = 9.81\n"
+        "[stretch]\nk = 3000.0\n[shear]\nk = 3000.0\n"
+        "[time]\nh = 0.016666666666666666\nend = 0.6333333333333333\n");
+  const auto gained = [&](const std::string& frames) {
+    const Outcome outcome = run(
+        program_called("step03_implicit"),
+        {"scene.toml", "--jacobian", "bw98", "--frames", frames, "--no-pictures", "--out", frames});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return read_table(directory / frames / "log.csv").at("gained");
+  };
+  const std::vector<double> every_step = gained(steps), only_the_last = gained("1");
+  ASSERT_EQ(every_step.size(), 39u);
+  for (size_t step = 1; step < every_step.size(); ++step)
+    EXPECT_LE(every_step[step], every_step[step - 1] + 1) << "step " << step;
+  EXPECT_EQ(every_step.back(), only_the_last.back());
+  EXPECT_GT(every_step.back(), 10) << "it does burst";
+}
