@@ -1,8 +1,8 @@
 // What is in the scene, and what a step of it costs.
 #include <cstdio>
 
+#include "explain/page_layout.h"
 #include "explain/sections.h"
-#include "explain/text.h"
 
 namespace {
 

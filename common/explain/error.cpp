@@ -1,8 +1,8 @@
 // How large the error of h is, and what a tenth of it, or of the time, would take.
 #include <algorithm>
 
+#include "explain/page_layout.h"
 #include "explain/sections.h"
-#include "explain/text.h"
 
 namespace {
 

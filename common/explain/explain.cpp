@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "explain/page_layout.h"
 #include "explain/sections.h"
-#include "explain/text.h"
 
 void print_explicit_limit(const Scene& scene, const std::vector<Part>& parts, const Limit& limit) {
   if (std::isinf(limit.h_crit)) return print_wrapped("every h is stable: nothing pulls back");

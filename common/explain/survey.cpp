@@ -1,12 +1,11 @@
 #include "explain/survey.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "explain/text.h"
+#include "explain/page_layout.h"
 #include "explain/waiting.h"
+#include "text/machine.h"
 
 namespace {
 
@@ -30,7 +29,7 @@ void require_memory(const Survey& s) {
   const Held held = s.as_is.simulation.held();
   const double runs = 6 + double(s.left_out.size());
   const double bytes = runs * double(held.vectors + held.matrices + held.slots);
-  const double there = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+  const double there = physical_memory();
   if (bytes < 0.7 * there) return;
   throw BadInput(
       text("--explain: %.0f runs side by side need at least %.0f MB of memory, this machine "

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explain/text.h"
+#include "explain/page_layout.h"
 
 namespace {
 

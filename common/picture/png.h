@@ -11,8 +11,7 @@
 // the same bytes.
 using PngText = std::vector<std::pair<std::string, std::string>>;
 
-// Writes "<path>.part" and renames it, so a reader never sees half a picture. Throws
-// std::runtime_error with path and reason; then nothing is left behind.
+// Throws CannotWrite (text/whole_file.h); then nothing is left behind.
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text = {});
 
 Image read_png(const std::filesystem::path& path);

@@ -4,17 +4,11 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
-#include <system_error>
 
 #include "picture/png.h"
+#include "text/whole_file.h"
 
 namespace {
-
-struct Failure : std::runtime_error {
-  Failure(const std::filesystem::path& path, const std::string& reason)
-      : std::runtime_error("cannot write " + path.string() + ": " + reason) {}
-};
 
 // libpng reports an error by calling on_error, which must not return.
 using Message = char[200];
@@ -80,27 +74,19 @@ std::string write_file(std::FILE* file, const Image& image, const PngText& text)
 
 void require_writable(const std::filesystem::path& path, const Image& image) {
   if (image.width < 1 || image.height < 1 || image.rgb.size() != 3 * pixel_count(image))
-    throw Failure(path, "the image is empty or its size does not fit its pixels");
+    throw CannotWrite(path, "the image is empty or its size does not fit its pixels");
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw Failure(path, "it exists and is not a regular file");
+    throw CannotWrite(path, "it exists and is not a regular file");
 }
 
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
   require_writable(path, image);
-  const std::filesystem::path part = path.string() + ".part";
-  std::FILE* file = std::fopen(part.c_str(), "wb");
-  if (file == nullptr) throw Failure(path, std::strerror(errno));
-
-  std::string reason = write_file(file, image, text);
-  if (std::fclose(file) != 0 && reason.empty()) reason = std::strerror(errno);
-  std::error_code error;
-  if (reason.empty()) std::filesystem::rename(part, path, error);
-  if (error) reason = error.message();
-  if (reason.empty()) return;
-  std::filesystem::remove(part, error);
-  throw Failure(path, reason);
+  WholeFile file(path);
+  const std::string reason = write_file(file.stream(), image, text);
+  if (!reason.empty()) throw CannotWrite(path, reason);
+  file.finish();
 }

@@ -16,12 +16,6 @@ std::string below_one(const std::string& text) {
   return "wants a number above 0 and below 1, not \"" + text + "\"";
 }
 
-std::string shortest(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
-
 std::array<int, 2> parse_size(const std::string& text) {
   std::array<int, 2> size{};
   int end = 0;
@@ -102,7 +96,7 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
         ->option_text("none|jacobi|block|ic|multigrid");
     app.add_option("--tolerance", options.method.tolerance,
                    "of conjugate gradients, the error of a solution relative to it; " +
-                       shortest(options.method.tolerance) + " if absent")
+                       text("%g", options.method.tolerance) + " if absent")
         ->check(below_one)
         ->option_text("E");
     app.add_option("--max-iterations", options.method.max_iterations,

@@ -1,11 +1,10 @@
-// Text files that are there whole or not at all.
+// Text files, and the numbers in them.
 #pragma once
 #include <filesystem>
 #include <string>
 #include <string_view>
 
-// Written to "<path>.part" and renamed, so that a run that breaks off leaves no half file. Throws
-// std::runtime_error with the path and the system's reason, and then leaves no .part either.
+// Whole or not at all: throws CannotWrite (whole_file.h).
 void write_text(const std::filesystem::path& path, std::string_view text);
 
 // Why there is no file to read at the path, "" where there is one.

@@ -1,8 +1,6 @@
-#include "explain/text.h"
+#include "explain/page_layout.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
 namespace {
@@ -16,21 +14,6 @@ size_t width_of(const std::string& words) {
 }
 
 }  // namespace
-
-std::string text(const char* format, ...) {
-  char buffer[1024];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(buffer, sizeof buffer, format, arguments);
-  va_end(arguments);
-  return buffer;
-}
-
-std::string joined(const std::vector<std::string>& parts, const std::string& between) {
-  std::string all;
-  for (const std::string& part : parts) all += (all.empty() ? "" : between) + part;
-  return all;
-}
 
 std::string padded(const std::string& words, size_t width) {
   return words + std::string(width - std::min(width, width_of(words)), ' ');
@@ -53,22 +36,4 @@ void print_wrapped(const std::string& words) {
     line += " " + word;
   }
   std::printf("%s\n", line.c_str());
-}
-
-std::string length(double m) {
-  return m < 1 ? text("%.3g mm", 1000 * m) : text("%.3g m", m);
-}
-
-std::string bytes(size_t number) {
-  if (number < 10000) return text("%zu B", number);
-  if (number < 1000000) return text("%.0f kB", double(number) / 1e3);
-  return text("%.1f MB", double(number) / 1e6);
-}
-
-std::string percent(double part) {
-  return std::abs(part) < 0.005 ? "0 %" : text("%.0f %%", 100 * part);
-}
-
-std::string per_cent(double part) {
-  return text(part < 0.995 ? "%.2g %%" : "%.0f %%", 100 * part);
 }
