@@ -5,7 +5,8 @@
 #include <memory>
 
 #include "math/pattern.h"
-#include "program/run.h"
+#include "program/diagnostics.h"
+#include "program/options.h"
 
 // What a step's System holds, in bytes.
 struct Held {

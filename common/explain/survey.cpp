@@ -19,12 +19,6 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double diagonal_of(const VecX& x) {
-  Eigen::AlignedBox3d box;
-  for (int i = 0; i < x.size() / 3; ++i) box.extend(x.segment<3>(3 * i));
-  return box.diagonal().norm();
-}
-
 void require_memory(const Survey& s) {
   const Held held = s.as_is.simulation.held();
   const double runs = 6 + double(s.left_out.size());
@@ -112,7 +106,7 @@ Survey begin(const Trials& trials, const std::vector<Part>& parts) {
            .cheaper = {},
            .tenth_h = {},
            .other_methods = {}};
-  s.size = diagonal_of(trials.scene.start.x);
+  s.size = box_of(trials.scene.start.x).diagonal().norm();
   for (const Part& part : parts)
     s.left_out.push_back(trials.trial(part.option, part.cloth, method));
   require_memory(s);

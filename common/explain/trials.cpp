@@ -9,8 +9,7 @@
 
 namespace {
 
-constexpr double longest_thread = 1000;  // of its length; a longer one is an explosion
-constexpr double slow = 0.1;             // s, a step
+constexpr double slow = 0.1;  // s, a step
 
 // Ten steps or a multiple, so that h can be ten times as long, and about twenty stops; every step
 // where there are few, or where they take long.
@@ -55,10 +54,6 @@ double seconds_of(const std::function<void()>& work) {
   return now() - start;
 }
 
-double rms_distance(const VecX& a, const VecX& b) {
-  return (a - b).norm() / std::sqrt(double(a.size()) / 3);
-}
-
 void Trial::advance() {
   if (!ended.empty()) return;
   const long stop = steps + stride;
@@ -69,7 +64,7 @@ void Trial::advance() {
       finite = state.x.allFinite();
     }
   });
-  if (!finite || !(max_stretch(*mesh, state.x) <= longest_thread))
+  if (!finite || !(max_stretch(*mesh, state.x) <= exploded_stretch))
     ended = text("explodes by t = %.3g s", double(steps) * h);
 }
 

@@ -24,9 +24,6 @@ struct Trial {
   void note(const VecX& compared_with);  // seconds and distance of this stop
 };
 
-// RMS over the vertices, m.
-double rms_distance(const VecX& a, const VecX& b);
-
 double seconds_of(const std::function<void()>& work);  // of the processor
 
 struct NamedMethod {

@@ -3,13 +3,8 @@
 #pragma once
 #include <memory>
 
-#include "program/diagnostics.h"
+#include "math/counters.h"
 #include "program/options.h"
-
-struct Measures {
-  Energies energies;
-  double max_stretch;
-};
 
 class Run {
  public:
@@ -33,16 +28,7 @@ class Run {
   // Film, still, final.obj and final_velocities.csv; the last line. Returns the exit code.
   int finish(const State&);
 
-  long steps() const;  // done so far
-
  private:
-  Measures look(const State&);  // once for each step
-  Measures latest;
-  long looked_step = -1;
-  Counters counters;
-  long gained = 0;  // looked-at steps with more energy than the start, by over 1e-3 of its scale;
-                    // not counted where a pin moves, which does work
-
-  struct Files;
-  std::unique_ptr<Files> files;
+  struct Impl;
+  std::unique_ptr<Impl> impl;
 };

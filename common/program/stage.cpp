@@ -3,16 +3,11 @@
 #include <algorithm>
 
 #include "picture/camera.h"
+#include "program/diagnostics.h"
 
 namespace {
 
 using Box = Eigen::AlignedBox3d;
-
-Box box_of(const VecX& x) {
-  Box box;
-  for (int i = 0; i < x.size() / 3; ++i) box.extend(x.segment<3>(3 * i));
-  return box;
-}
 
 // A pinned cloth swings about its pins: no lower than its longest reach, and as far to the other
 // side as it starts on this one, or all around if it is given a velocity.
