@@ -3,7 +3,9 @@
 #include <Eigen/SparseCholesky>
 #include <stdexcept>
 
+#include "math/method.h"
 #include "text/machine.h"
+#include "text/names.h"
 #include "text/text.h"
 #ifdef LARGE_STEPS_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -155,5 +157,5 @@ std::unique_ptr<DirectSolver> make_direct_solver(const std::string& name,
         "--solver cholmod: this program was built without it; install libsuitesparse-dev and "
         "configure again, or use --solver ldlt");
 #endif
-  throw std::invalid_argument("--solver " + name + ": must be ldlt, inverse or cholmod");
+  throw std::invalid_argument("--solver " + name + ": must be " + choices(solver_names));
 }

@@ -35,3 +35,10 @@ std::string valid_names(std::string_view given, const Names& valid) {
   for (const std::string& name : valid) text += (&name == &valid[0] ? "" : ", ") + name;
   return text;
 }
+
+std::string choices(const Names& valid) {
+  std::string text = valid[0];
+  for (size_t i = 1; i < valid.size(); ++i)
+    text += (i + 1 < valid.size() ? ", " : " or ") + valid[i];
+  return text;
+}
