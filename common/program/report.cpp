@@ -8,7 +8,7 @@
 
 namespace {
 
-// What of the method can be to blame for an explosion.
+// Another method that may not explode, where the method can be to blame.
 std::string other_method(const Options& options) {
   const Method& method = options.method;
   if (method.jacobian == Jacobian::bw98) return "--jacobian definite, or ";
@@ -17,7 +17,7 @@ std::string other_method(const Options& options) {
 }
 
 void warn(const std::string& words) {
-  std::printf("  worth a doubt: %s\n", words.c_str());
+  std::printf("  warning: %s\n", words.c_str());
 }
 
 }  // namespace
@@ -31,14 +31,13 @@ void Report::start() const {
 void Report::critical_step(double h_crit) const {
   const double h = scene.time.h;
   if (std::isinf(h_crit)) {
-    std::printf("  every h is stable: nothing pulls back\n");
+    std::printf("  every h is stable: there is no elastic force\n");
     return;
   }
   std::printf("  stable below h_crit = %.4g s; h is %.2f of it\n", h_crit, h / h_crit);
   if (h > 0.9 * h_crit)
-    std::fprintf(stderr,
-                 "warning: h = %g s is beyond 0.9 h_crit: expect the cloth to %s; try --h %.2g\n",
-                 h, h > h_crit ? "explode" : "come to grief on the way", 0.8 * h_crit);
+    std::fprintf(stderr, "warning: h = %g s is beyond 0.9 h_crit: the cloth %s; try --h %.2g\n", h,
+                 h > h_crit ? "will explode" : "may become unstable", 0.8 * h_crit);
   std::fflush(stdout);
 }
 
@@ -84,22 +83,23 @@ void Report::iterations(const RunTotals& run) const {
               options.method.tolerance);
 }
 
-// What is not fatal, but should not pass for a result unnoticed.
+// Counts that do not end a run but make its result doubtful.
 void Report::warnings(const RunTotals& run, const Watch& watch) const {
   const Counters& counts = run.counts;
   const bool iterative = options.concepts.iterative;
   if (watch.gained > 0)
-    warn(text("up to %.3g J more than at the start, %.2g of weight times size", watch.most_gained,
-              watch.most_gained / watch.scale.joule));
+    warn(text("the cloth had up to %.3g J more than at the start, %.2g times %s", watch.most_gained,
+              watch.most_gained / watch.scale.joule,
+              watch.scale.is_weight_times_size ? "weight × size" : "that energy"));
   if (counts.indefinite > 0 && iterative)
-    warn("conjugate gradients met pᵀAp ≤ 0, or not a number, and gave up in " +
+    warn("conjugate gradients met pᵀAp ≤ 0, or not a number, and stopped early in " +
          count(counts.indefinite, "system"));
   if (counts.indefinite > 0 && !iterative)
     warn("the matrix was not positive definite in " + count(counts.indefinite, "step"));
   if (counts.capped > 0)
     warn("conjugate gradients stopped at " + count(options.method.max_iterations, "iteration") +
          " in " + count(counts.capped, "system") +
-         ", as if the cloth were stiffer; raise --max-iterations or take another "
+         ": the cloth moves as if it were stiffer; raise --max-iterations or take another "
          "--preconditioner");
   if (counts.unconverged > 0)
     warn("Newton did not converge in " + count(counts.unconverged, "step"));

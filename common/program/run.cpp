@@ -51,7 +51,7 @@ int still_frame_of(const Scene& scene) {
 }
 
 std::string describe_stretch(double stretch) {
-  if (!std::isfinite(stretch)) return "a thread is longer than a number can say";
+  if (!std::isfinite(stretch)) return "the length of a thread is not finite";
   return text("a thread is %.3g times its length", stretch);
 }
 

@@ -1,10 +1,21 @@
 #include "text/text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+
+namespace {
+
+size_t width_of(const std::string& words) {
+  return size_t(std::count_if(words.begin(), words.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;  // only the first byte of a character
+  }));
+}
+
+}  // namespace
 
 std::string text(const char* format, ...) {
   va_list arguments, again;
@@ -55,4 +66,23 @@ std::string percent(double part) {
 
 std::string per_cent(double part) {
   return part < 0.995 ? text("%.2g %%", 100 * part) : text("%.0f %%", 100 * part);
+}
+
+std::string padded(const std::string& words, size_t width) {
+  return words + std::string(width - std::min(width, width_of(words)), ' ');
+}
+
+std::string wrapped(const std::string& words, size_t width) {
+  std::string lines, line = "   ";
+  for (size_t begin = 0; begin < words.size();) {
+    const size_t end = std::min(words.find(' ', begin), words.size());
+    const std::string word = words.substr(begin, end - begin);
+    begin = end + 1;
+    if (width_of(line) + 1 + width_of(word) > width) {
+      lines += line + "\n";
+      line = "     ";
+    }
+    line += " " + word;
+  }
+  return lines + line + "\n";
 }

@@ -15,3 +15,8 @@ std::string length(double m);         // 0.54 mm, 1.41 m
 std::string bytes(size_t number);     // 96 B, 458 kB, 3.2 MB
 std::string percent(double part);     // 34 %
 std::string per_cent(double part);    // with two digits: 0.038 %
+
+// Columns of UTF-8, where a character is as wide as any other.
+std::string padded(const std::string& words, size_t width);  // filled up with spaces
+std::string wrapped(const std::string& words,
+                    size_t width);  // lines, indented by 4, the later by 6

@@ -13,7 +13,7 @@ class BendProgram : public ProgramDirectory {
     arguments.insert(arguments.end(), {"--end", "0.1", "--no-pictures", "--out", out});
     const Outcome outcome = run(program, arguments);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.out.find("worth a doubt"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("warning"), std::string::npos) << outcome.out;
     return outcome;
   }
   std::string final_state(const std::string& out) const {

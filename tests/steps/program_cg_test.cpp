@@ -94,8 +94,8 @@ TEST_P(ConjugateGradients, PreconditionersAgreeAndTheBetterOnesNeedFewerIteratio
     EXPECT_LT(iterations, before) << name;
     EXPECT_GE(iterations, 40) << "one in each step at least";
     before = iterations;
-    for (const char* doubt : {"indefinite", "capped", "gained"}) EXPECT_EQ(last(name, doubt), 0);
-    EXPECT_EQ(outcome.out.find("worth a doubt"), std::string::npos) << outcome.out;
+    for (const char* column : {"indefinite", "capped", "gained"}) EXPECT_EQ(last(name, column), 0);
+    EXPECT_EQ(outcome.out.find("warning"), std::string::npos) << outcome.out;
   }
 }
 
@@ -147,7 +147,7 @@ TEST_P(ConjugateGradients, StoppedTooEarlyAreCountedAndSaid) {
   const long capped = std::lround(last("out", "capped"));
   EXPECT_GT(capped, 10);
   EXPECT_LE(capped, 20) << "one system in each of 20 steps";
-  expect_says(outcome.out, "worth a doubt: conjugate gradients stopped at 2 iterations in " +
+  expect_says(outcome.out, "warning: conjugate gradients stopped at 2 iterations in " +
                                std::to_string(capped) + " systems");
   expect_says(outcome.out, "raise --max-iterations");
 }
@@ -167,7 +167,7 @@ TEST_P(ConjugateGradients, IndefiniteSystemsAreCountedAndSaid) {
   EXPECT_GT(last("0.2", "gained"), 0) << "no pin moves, so it is counted";
   expect_says(survived.out, "J more than at the start");
   expect_says(survived.out,
-              "worth a doubt: conjugate gradients met pᵀAp ≤ 0, or not a number, and gave up in " +
+              "warning: conjugate gradients met pᵀAp ≤ 0, or not a number, and stopped early in " +
                   std::to_string(indefinite) + " system");
   EXPECT_EQ(exploded.code, 1);
   EXPECT_EQ(lines_of(exploded.err).size(), 1u) << exploded.err;
@@ -227,7 +227,7 @@ TEST_P(PinTables, ThatMoveDoNotCountAsEnergyGained) {
     write("scene.toml", scene_with("{vertex = 'top', velocity = " + velocity + "}"));
     const Outcome outcome = run_to(out, {"scene.toml"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.out.find("worth a doubt"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("warning"), std::string::npos) << outcome.out;
     EXPECT_EQ(last(out, "gained"), 0);
     const std::vector<double> total = read_table(directory / out / "log.csv").at("total");
     return total.back() - total.front();

@@ -54,7 +54,7 @@ class Explain : public ProgramTest {
     const VecX x = positions("a", a, both), y = positions("b", b, both);
     return (x - y).norm() / std::sqrt(double(x.size()) / 3);
   }
-  // Small, and with an h at which the error can be told.
+  // Small, and with an h at which the error can be estimated.
   Arguments square(const Arguments& more = {}) const {
     Arguments arguments = small_square(6, {"--h", GetParam().is_explicit() ? "0.0005" : "0.002"});
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -79,7 +79,7 @@ TEST_P(Explain, IsOneScreenAndWritesNothing) {
       EXPECT_FALSE(line.ends_with(' ')) << line;
     }
     for (const char* section :
-         {"A step costs", "What sets h", "The error of h", "What could be left out", "So"})
+         {"A step costs", "What sets h", "The error of h", "What could be left out", "Advice"})
       EXPECT_NE(outcome.out.find("\n" + std::string(section)), std::string::npos) << section;
   }
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
@@ -94,8 +94,8 @@ TEST_P(Explain, NamesNoTermThatIsNotThere) {
 
 TEST_P(Explain, ErrorOfHIsThatToAFineH) {
   const std::string said = page(square({"--end", "0.3"}));
-  const std::string time = found(said, R"(t = (\S+) s: [0-9.]+ mm, .*order seen)");
-  const double error = number(said, R"(t = \S+ s: (\S+) mm, .*order seen)") / 1000;
+  const std::string time = found(said, R"(t = (\S+) s: [0-9.]+ mm, .*observed order)");
+  const double error = number(said, R"(t = \S+ s: (\S+) mm, .*observed order)") / 1000;
   const Arguments fine = {"--h", GetParam().is_explicit() ? "0.000025" : "0.0001"};
   Arguments finely = small_square(6, fine);
   const double measured = distance(square(), finely, {"--end", time}) * 20 / 19;
@@ -105,7 +105,7 @@ TEST_P(Explain, ErrorOfHIsThatToAFineH) {
 
 TEST_P(Explain, WhatIsLeftOutMovesTheClothAsFarAsItSays) {
   const Arguments arguments = square({"--end", "0.1"});
-  const std::string said = page(arguments), time = found(said, R"(by t = (\S+) s\n)");
+  const std::string said = page(arguments), time = found(said, R"(until t = (\S+) s\n)");
   int compared = 0;
   for (const std::string table : {"gravity", "stretch", "shear", "damping"}) {
     std::smatch row;
@@ -145,7 +145,7 @@ TEST_P(ExplainExplicit, SaysTheCriticalStepWithoutATerm) {
 // An implicit step would also have to know where its elements lie in the matrix.
 TEST_P(ExplainExplicit, CountsTheBytesOfItsTriangles) {
   const std::string said = page(square({"--end", "0.02"}));
-  EXPECT_EQ(number(said, R"(triangles .* (\d+) B  what stretch)"), 72 * sizeof(Triangle));
+  EXPECT_EQ(number(said, R"(triangles .* (\d+) B  shared by stretch)"), 72 * sizeof(Triangle));
 }
 
 TEST_P(ExplainIterative, CountsTheIterationsOfARun) {
@@ -190,7 +190,7 @@ TEST_F(ExplainBend, BendingAndTheDampingOfOneTermMoveTheClothAsFarAsItSays) {
   const Outcome explained = run(step05, {"scene.toml", "--explain"});
   EXPECT_EQ(explained.code, 0);
   const std::string& said = explained.out;
-  const std::string time = found(said, R"(by t = (\S+) s\n)");
+  const std::string time = found(said, R"(until t = (\S+) s\n)");
   const VecX as_is = final_of("scene.toml", {"--end", time});
   const auto moved = [&](const VecX& x) {
     return length((x - as_is).norm() / std::sqrt(double(x.size()) / 3));
