@@ -1,5 +1,5 @@
-// The matrices that take a point of space to the picture, as OpenGL wants them: everything that is
-// seen lands in the cube [-1, 1]^3.
+// The matrices that take a point of space to the picture, as OpenGL wants them: all visible
+// points land in the cube [-1, 1]^3.
 #pragma once
 #include <cmath>
 #include <Eigen/Dense>

@@ -1,4 +1,4 @@
-// What a run is judged by: energies, the largest stretch, the lowest point, distances.
+// Measures of a state: energies, the largest stretch, the lowest point, distances.
 #pragma once
 #include <Eigen/Geometry>
 #include <string_view>

@@ -1,4 +1,4 @@
-// What options have to be, for CLI11's check(): an empty text, or what is wrong.
+// Checks of options, for CLI11's check(): each returns an empty text, or the error.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <cmath>

@@ -43,7 +43,7 @@ Image Pictures::draw(const VecX& x, double time, int width, int height) const {
   return image;
 }
 
-// What made a frame. Neither a date nor a machine, so that equal runs give equal bytes.
+// How a frame was made. Without date and machine, so that equal runs give equal bytes.
 PngText Pictures::about(double time) const {
   return {{"Software", "Large Steps, " + options.program},
           {"Scene", scene_name()},

@@ -1,4 +1,4 @@
-// All that a run says in sentences: results on the standard output, warnings on the standard error.
+// All sentences that a run prints.
 #pragma once
 #include "program/options.h"
 #include "program/watch.h"

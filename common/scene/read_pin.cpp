@@ -32,7 +32,7 @@ Mat3 read_filter(const TomlTable& pin) {
   return letters ? without_axes(pin, *letters) : without_direction(pin);
 }
 
-// What rounding has left in the free directions, 1e-6 of it, is taken out.
+// Only the part in the held directions. The rest must be rounding: 1e-6 of the velocity.
 Vec3 read_velocity(const TomlTable& pin, const Mat3& S) {
   if (!pin.has("velocity")) return Vec3::Zero();
   const Vec3 velocity = pin.three_numbers("velocity"), held = velocity - S * velocity;

@@ -32,8 +32,8 @@ bool has_modulus(std::string_view table) {
   return has;
 }
 
-// Does the scene have the table of this term, and is it the model that the table asks for? The first
-// model of the lists is the default.
+// Does the scene have the table of this term, and does the table ask for this model? The first model of
+// the lists is the default.
 bool names(const SceneFile& scene, const TermInfo& term) {
   if (term.first_step == 0 || !scene.has(named(term.table))) return false;
   const Names models = models_of(term.table);
@@ -65,7 +65,7 @@ T read_term(const TomlTable& table) {
                           named(T::info.units.k) + ", or take another model");
 }
 
-// Damping belongs to a term: without its k there is nothing to damp.
+// Damping belongs to a term: a scene without the term has nothing to damp.
 void read_damping(const SceneFile& scene, Model& model) {
   if (!scene.has("damping")) return;
   const TomlTable table = scene.table("damping");

@@ -45,7 +45,7 @@ const KnownTable* find_table(std::string_view name) {
   return nullptr;
 }
 
-// Those that a step teaches, without its later ones.
+// The tables that a step teaches, without those of later steps.
 Names tables_of(int step) {
   Names names;
   for (const KnownTable& table : known_tables())
@@ -57,7 +57,7 @@ bool every_scene_needs(const std::string& table) {
   return table == "cloth" || table == "time";
 }
 
-// Those that a scene can do without.
+// The tables that a scene can do without.
 Names optional_tables() {
   Names names = tables_of(int(std::size(steps)));
   std::erase_if(names, every_scene_needs);
@@ -154,7 +154,7 @@ void SceneFile::apply(const Overrides& overrides) {
   if (overrides.cells) apply_cells(*overrides.cells);
 }
 
-// On other cells the number of a vertex is that of another place, or of none.
+// With other cells a vertex number means another place, or none.
 void SceneFile::check_numbered_pins(int cells) const {
   const toml::array* pins = tables["cloth"]["pins"].as_array();
   if (!pins) return;

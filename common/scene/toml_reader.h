@@ -1,4 +1,4 @@
-// scene.toml, key by key. Every value is asked for with its type and range, and what does not fit is
+// scene.toml, key by key. Every value is read with its type and range, and a value that does not fit is
 // refused in one line: `scene.toml:12: [time] h = -1.0 is not valid: it must be …`. Only the files that
 // read a scene include this.
 #pragma once
@@ -37,7 +37,7 @@ class TomlTable {
   std::filesystem::path existing_file(std::string_view key) const;  // relative to the scene's
   const toml::array& list(std::string_view key, const std::string& of_what) const;
   const toml::node& need(std::string_view key, const std::string& what) const;  // of any type
-  std::optional<std::string> text(std::string_view key) const;  // absent where it is no text
+  std::optional<std::string> text(std::string_view key) const;  // absent where the value is no text
 
   [[noreturn]] void refuse(std::string_view key, const std::string& must) const;
   [[noreturn]] void refuse(std::string_view key, const toml::node& value,

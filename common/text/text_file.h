@@ -7,7 +7,7 @@
 // Whole or not at all: throws CannotWrite (whole_file.h).
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-// Why there is no file to read at the path, "" where there is one.
+// Why no file can be read at the path; "" where one can.
 std::string no_file(const std::filesystem::path& path);
 
 // The whole file. Throws BadInput where it is missing, a directory or unreadable.
