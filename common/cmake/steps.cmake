@@ -2,6 +2,9 @@
 # the top: whoever comes first adds the common libraries.
 include_guard(GLOBAL)
 
+# The programs, in the order of the lessons.
+set(LARGE_STEPS_PROGRAMS step01_explicit step02_damping step03_implicit step04_cg step05_bend)
+
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)  # Eigen without -O is 20 times slower
 endif()

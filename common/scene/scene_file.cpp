@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/step_names.h"
+
 namespace {
 
 // The tables of a scene and the first step that teaches each.
@@ -36,9 +38,6 @@ const std::vector<KnownTable>& known_tables() {
   return all;
 }
 
-constexpr const char* steps[] = {"step01_explicit", "step02_damping", "step03_implicit",
-                                 "step04_cg", "step05_bend"};
-
 const KnownTable* find_table(std::string_view name) {
   for (const KnownTable& table : known_tables())
     if (table.name == name) return &table;
@@ -59,16 +58,9 @@ bool every_scene_needs(const std::string& table) {
 
 // The tables that a scene can do without.
 Names optional_tables() {
-  Names names = tables_of(int(std::size(steps)));
+  Names names = tables_of(int(step_names().size()));
   std::erase_if(names, every_scene_needs);
   return names;
-}
-
-// 3 of step03_implicit.
-int step_number(const std::string& program) {
-  for (int step = 1; step <= int(std::size(steps)); ++step)
-    if (program.starts_with(std::string(steps[step - 1]).substr(0, 6))) return step;
-  throw std::invalid_argument("no step is called " + program);
 }
 
 }  // namespace
@@ -130,7 +122,8 @@ void SceneFile::check_step(const std::string& program, const std::string& name,
   const int first = find_table(name)->step;
   if (first > step)
     throw BadInput(location(file, value) + program + " does not model [" + name + "]; " +
-                   steps[first - 1] + " does. --without " + name + " runs the scene without it");
+                   step_names()[first - 1] + " does. --without " + name +
+                   " runs the scene without it");
 }
 
 // A pin that is a table belongs to the filter of conjugate gradients.
@@ -140,7 +133,8 @@ void SceneFile::check_pins(const std::string& program) const {
   for (const toml::node& pin : *pins)
     if (pin.is_table())
       throw BadInput(location(file, pin) + program +
-                     " does not model pins with single directions or a velocity; " + steps[3] +
+                     " does not model pins with single directions or a velocity; " +
+                     step_names()[3] +
                      " does. A pin that is only a name or a number runs in every step");
 }
 
