@@ -1,5 +1,5 @@
-// --explain: what a scene contains, what a step costs, what sets h, how large the error is and what could
-// be left out. All of it is measured on the step's own functions, and printed on one page.
+// --explain: what a scene contains, what a step costs, what sets h, how large the error is and what
+// could be left out. All of it is measured on the step's own functions, and printed on one page.
 #pragma once
 #include <functional>
 #include <memory>
@@ -24,8 +24,8 @@ struct Simulation {
 };
 using Simulate = std::function<Simulation(const Cloth&, const Method&)>;
 
-// Prints the page and returns 0; writes nothing else. Throws std::invalid_argument for a method that
-// cannot solve this scene.
+// Prints the page and returns 0; writes nothing else. Throws std::invalid_argument for a method
+// that cannot solve this scene.
 int explain(const Options&, const Scene&, const Simulate&);
 
 template <class... Lists>

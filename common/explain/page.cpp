@@ -112,8 +112,8 @@ void print_warning(const Options& options, const Survey& s) {
 
 }  // namespace
 
-// Cost of a term = time of all forces − time without it. The remainder of the forces is shared by the
-// terms, the remainder of the step is the solve.
+// Cost of a term = time of all forces − time without it. The remainder of the forces is shared by
+// the terms, the remainder of the step is the solve.
 void print_costs(const Options& options, const Scene& scene, const std::vector<Part>& parts,
                  const Survey& s) {
   const Cost whole = {s.median_step, bytes_of_step(scene, s)};

@@ -42,7 +42,7 @@ std::string describe(const Term& term, const TermInfo& info) {
   return words;
 }
 
-// The tables of the terms that a cloth has, each once; of those that are damped.
+// The tables of all terms of a cloth, each once, and the tables of the damped ones.
 struct Tables {
   std::vector<std::string> all, damped;
 };

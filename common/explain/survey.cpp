@@ -34,8 +34,8 @@ void require_memory(const Survey& s) {
            runs, needed / 1e6, physical_memory() / 1e6));
 }
 
-// Times steps and evaluations of the forces, of the whole cloth and without each part, in interleaved
-// rounds. The folds that the forces follow are found before them, as in a step.
+// Times steps and evaluations of the forces, of the whole cloth and without each part, in
+// interleaved rounds. The folds that the forces follow are found before them, as in a step.
 class StepClock {
  public:
   StepClock(const Trials& trials, const std::vector<Part>& parts)
@@ -128,8 +128,8 @@ std::vector<Trial*> compared_with_baseline(Survey& s) {
   return trials;
 }
 
-// A run that has moved a quarter of the cloth's size away no longer resembles the scene, and a step of it
-// may take any time.
+// A run that has moved a quarter of the cloth's size away no longer resembles the scene, and a step
+// of it may take any time.
 void end_if_far(Trial& trial, double size, double time) {
   if (!trial.ended.empty() || trial.distance_at.back() < size / 4) return;
   trial.ended = text("stopped at t = %.3g s, %.0f %% of the size away", time,

@@ -1,5 +1,5 @@
-// What --explain measures. All runs advance together, from stop to stop, so that a busy machine slows
-// all of them alike. They end with the scene, or after a few seconds of CPU time.
+// What --explain measures. All runs advance together, from stop to stop, so that a busy machine
+// slows all of them alike. They end with the scene, or after a few seconds of CPU time.
 #pragma once
 #include <optional>
 
@@ -52,10 +52,11 @@ struct Survey {
   double error_of_h(size_t stop) const;
   bool is_below_error(const Trial&) const;  // does leaving out this part change less than h does?
 
-  // A step of h/10: with a tenth of the tolerance as well, where the tolerance would otherwise be most of
-  // the error. Nothing for an explicit method, whose steps cost the same.
+  // A step of h/10: with a tenth of the tolerance as well, where the tolerance would otherwise be
+  // most of the error. Nothing for an explicit method, whose steps cost the same.
   const StepTimes* step_of_a_tenth() const;
-  // Of the cheaper runs that take a tenth of the time the most accurate; where none does, the fastest.
+  // Of the cheaper runs that take a tenth of the time the most accurate; where none does, the
+  // fastest.
   const Trial* best_cheaper() const;
   // Of the methods that solve as accurately the cheapest; nothing where it saves less than a fifth.
   const StepTimes* better_method(double tolerance) const;

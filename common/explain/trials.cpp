@@ -18,8 +18,8 @@ bool is_slow(const std::string& name) {
   return name == "inverse" || name == "none" || name == "jacobi";
 }
 
-// Steps from stop to stop: ten or a multiple, so that h can be ten times as long, and about twenty stops.
-// One step where the scene has few steps, or slow ones.
+// Steps from stop to stop: ten or a multiple, so that h can be ten times as long, and about twenty
+// stops. One step where the scene has few steps, or slow ones.
 long stride_of(const Scene& scene, const Simulate& simulate, const Method& method) {
   if (scene.time.steps() < 20) return 1;
   const Simulation simulation = simulate(scene.cloth, method);
@@ -28,7 +28,8 @@ long stride_of(const Scene& scene, const Simulate& simulate, const Method& metho
   return 10 * std::max(1L, std::lround(double(scene.time.steps()) / 200));
 }
 
-// The points of a finer grid where the vertices of a coarser one lie, interpolated between its vertices.
+// The points of a finer grid where the vertices of a coarser one lie, interpolated between its
+// vertices.
 VecX sampled(const VecX& x, const Grid& fine, const Grid& coarse) {
   VecX at(3 * coarse.vertices());
   for (int j = 0; j <= coarse.cells[1]; ++j)
@@ -141,7 +142,8 @@ std::vector<NamedMethod> Trials::other_methods() const {
   return methods;
 }
 
-// Half the cells and twice h: an eighth of the work. Throws BadInput where the scene refuses --cells.
+// Half the cells and twice h: an eighth of the work. Throws BadInput where the scene refuses
+// --cells.
 Trial Trials::fewer_cells() const {
   Overrides overrides = options.overrides;
   overrides.cells = scene.cloth.grid->cells[0] / 2;

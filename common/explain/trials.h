@@ -1,5 +1,5 @@
-// The runs that --explain compares: the baseline, which is the scene as it stands, runs with smaller steps,
-// runs without one of the parts, and cheaper runs.
+// The runs that --explain compares: the baseline, which is the scene as it stands, runs with
+// smaller steps, runs without one of the parts, and cheaper runs.
 #pragma once
 #include "explain/explain.h"
 #include "explain/parts.h"

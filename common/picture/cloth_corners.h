@@ -5,8 +5,8 @@
 
 #include "math/types.h"
 
-// x in the units and the origin of the picture. Coordinates beyond 1e4 are cut off there, so that their
-// squares stay finite.
+// x in the units and the origin of the picture. Coordinates beyond 1e4 are cut off there, so that
+// their squares stay finite.
 VecX staged(const VecX& x, const Vec3& origin, double size);
 
 // Per vertex, the mean of the normals of its faces, weighted by area: 2 area n = e1 × e2.

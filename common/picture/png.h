@@ -7,8 +7,8 @@
 
 #include "picture/image.h"
 
-// The texts in a picture's file (tEXt chunks): key, text. Never a date: the same run must write the same
-// bytes.
+// The texts in a picture's file (tEXt chunks): key, text. Never a date: the same run must write the
+// same bytes.
 using PngText = std::vector<std::pair<std::string, std::string>>;
 
 // Throws CannotWrite (text/whole_file.h); then nothing is left behind.

@@ -60,7 +60,7 @@ bool write_chunks(png_structp png, png_infop info, const Image& image,
   return true;
 }
 
-// What went wrong; empty if nothing did.
+// The error; empty if there is none.
 std::string write_file(std::FILE* file, const Image& image, const PngText& text) {
   Message message = "out of memory";
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, message, on_error, on_warning);

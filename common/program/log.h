@@ -9,8 +9,8 @@
 
 using LogRow = std::vector<std::pair<std::string, double>>;  // name of the column, value
 
-// The first row brings the header. A run that breaks off still leaves the rows that it wrote, and a run
-// without a row leaves no file. Throws CannotWrite.
+// The first row brings the header. A run that breaks off still leaves the rows that it wrote, and a
+// run without a row leaves no file. Throws CannotWrite.
 class Log {
  public:
   explicit Log(const std::filesystem::path& path_) : path(path_) {}

@@ -8,9 +8,8 @@ class Progress {
  public:
   explicit Progress(long steps, const std::string& what = "", std::FILE* stream = stdout);
 
-  void show(
-      long
-          step);  // can be called after every step: draws ten times a second, or writes a line every ten
+  // To be called after every step: draws ten times a second, or writes a line every ten seconds.
+  void show(long step);
   void show_frame(int frame, int frames, long step, double time);
   void end();  // clears the bar
 

@@ -19,7 +19,7 @@ class Report {
   void critical_step(double h_crit) const;
   void end(const RunTotals&, const Watch&, const State&, bool interrupted) const;
 
-  // The error of a run whose cloth has exploded: where, what was seen, and what to try.
+  // The error message of a run whose cloth has exploded: the step, what was seen, and advice.
   std::string explosion(const RunTotals&, const std::string& seen) const;
 
  private:

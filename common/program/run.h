@@ -1,5 +1,5 @@
-// One run of a program: its directory, its log, its pictures, its progress and its end. The loop over
-// frames and time steps stays in the main.cpp of each step.
+// One run of a program: its directory, its log, its pictures, its progress and its end. The loop
+// over frames and time steps stays in the main.cpp of each step.
 #pragma once
 #include <memory>
 
@@ -25,7 +25,8 @@ class Run {
   // Frame k: a row of log.csv, the pictures, with --export obj a mesh.
   void record(int frame, const State&);
 
-  // Writes film.png, final.obj and final_velocities.csv, and prints the last lines. Returns the exit code.
+  // Writes film.png, final.obj and final_velocities.csv, and prints the last lines. Returns the
+  // exit code.
   int finish(const State&);
 
  private:

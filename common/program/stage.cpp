@@ -56,8 +56,8 @@ Box flight(const Scene& scene, const Box& start) {
   return box;
 }
 
-// The distance from the target to the eye at which the whole box fits into a 16:9 picture: for every
-// corner, its depth and its distance from the line of sight.
+// The distance from the target to the eye at which the whole box fits into a 16:9 picture: for
+// every corner, its depth and its distance from the line of sight.
 double distance_to_see(const Box& box, const Vec3& target, const Vec3& towards) {
   const double margin = 1.08, up_slope = std::tan(field_of_view / 2),
                right_slope = up_slope * 16 / 9;

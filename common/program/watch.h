@@ -3,7 +3,7 @@
 #include "program/diagnostics.h"
 #include "scene/scene.h"
 
-// What is measured of a state.
+// The measures of a state.
 struct Sample {
   Energies energies;
   double max_stretch = 1;
@@ -12,7 +12,7 @@ struct Sample {
   bool exploded() const { return !(max_stretch <= exploded_stretch); }  // also where it is NaN
 };
 
-// What a change of energy is compared with: the weight of the cloth times its size at the start, or
+// Changes of energy are compared with this: the weight of the cloth times its size at the start, or
 // without gravity the energy at the start.
 struct EnergyScale {
   double joule;

@@ -7,8 +7,8 @@
 #include "math/spring.h"
 #include "scene/mesh.h"
 
-// A hinge rests flat if both of its faces do, and otherwise at the angle that it has in the mesh. Quadratic
-// hinges and springs always rest flat.
+// A hinge rests flat if both of its faces do, and otherwise at the angle that it has in the mesh.
+// Quadratic hinges and springs always rest flat.
 std::vector<Hinge> make_hinges(const Mesh&);
 std::vector<QuadraticHinge> make_quadratic_hinges(const Mesh&);
 std::vector<Spring> make_bend_springs(const Mesh&);

@@ -16,8 +16,8 @@ std::string megabytes(double bytes) {
 
 }  // namespace
 
-// Per vertex: its place in the mesh, x and v of the start, mass and inverse mass. Per cell two faces,
-// each with its rest shape and its element. In double: 2³¹ × 2³¹ cells overflow any integer.
+// Per vertex: its place in the mesh, x and v of the start, mass and inverse mass. Per cell two
+// faces, each with its rest shape and its element. In double: 2³¹ × 2³¹ cells overflow any integer.
 double bytes_of_grid(const std::array<int, 2>& cells) {
   constexpr size_t per_vertex = 5 * sizeof(Vec3);
   constexpr size_t per_face = sizeof(Face) + sizeof(Mesh::rest[0]) + sizeof(Triangle);

@@ -7,5 +7,6 @@
 // Bytes that a scene with this grid takes before a solver adds its own.
 double bytes_of_grid(const std::array<int, 2>& cells);
 
-// Why a grid is too large: the memory that it needs, and the memory of the machine. Nothing where it fits.
+// Why a grid is too large: the memory that it needs, and the memory of the machine. Nothing where
+// it fits.
 std::optional<std::string> too_large(const std::array<int, 2>& cells);

@@ -25,8 +25,9 @@ struct Mesh {
 Mesh make_grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals);
 
 // An OBJ file. The rest shape of a face is its texture coordinates, in m, or where it has none the
-// flat triangle itself, its first edge along u. Throws BadInput for a file without faces, faces that
-// are not triangles, an index out of range, a number that is not finite, and what check() refuses.
+// flat triangle itself, its first edge along u. Throws BadInput for a file without faces, faces
+// that are not triangles, an index out of range, a number that is not finite, and what check()
+// refuses.
 Mesh read_obj(const std::filesystem::path&);
 
 // Only the v lines of an OBJ file: start positions for a cloth with as many vertices.
@@ -35,8 +36,8 @@ VecX read_obj_vertices(const std::filesystem::path&);
 // Is a rest triangle more than a line, beyond rounding?
 bool has_area(const std::array<Vec2, 3>& uv);
 
-// Throws BadInput, naming `source` and the place, where a face has no area at rest or names a vertex
-// twice, an edge has more than two faces, or a vertex has no face and so no mass.
+// Throws BadInput, naming `source` and the place, where a face has no area at rest or names a
+// vertex twice, an edge has more than two faces, or a vertex has no face and so no mass.
 void check(const Mesh&, const std::filesystem::path& source);
 
 // 17 significant digits; read_obj gives the same numbers, up to the last digit.

@@ -61,8 +61,8 @@ std::vector<int> pinned(const TomlTable& cloth, const TomlTable& table, const ch
   return named_vertices(name, cloth.two_whole_numbers("cells"));
 }
 
-// One entry of pins. A name or a number holds its vertices in all directions; a table names the directions
-// and a velocity.
+// One entry of pins. A name or a number holds its vertices in all directions; a table names the
+// directions and a velocity.
 std::vector<Pin> read_entry(const TomlTable& cloth, const toml::node& entry, int vertices) {
   if (!entry.is_table()) {
     const std::vector<int> held = pinned(cloth, cloth, "pins", entry, vertices);

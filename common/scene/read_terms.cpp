@@ -1,4 +1,5 @@
-// The terms of a scene, each from the table that it names itself (math/family.h). No term is named here.
+// The terms of a scene, each from the table that it names itself (math/family.h). No term is named
+// here.
 #include <algorithm>
 
 #include "scene/scene_file.h"
@@ -32,8 +33,8 @@ bool has_modulus(std::string_view table) {
   return has;
 }
 
-// Does the scene have the table of this term, and does the table ask for this model? The first model of
-// the lists is the default.
+// Does the scene have the table of this term, and does the table ask for this model? The first
+// model of the lists is the default.
 bool names(const SceneFile& scene, const TermInfo& term) {
   if (term.first_step == 0 || !scene.has(named(term.table))) return false;
   const Names models = models_of(term.table);

@@ -13,8 +13,8 @@ struct KnownTable {
   int step;
 };
 
-// Every term brings its table (math/cloth.h), and all of them bring [damping], which the second step
-// teaches. In the order in which the steps teach them.
+// Every term brings its table (math/cloth.h), and all of them bring [damping], which the second
+// step teaches. In the order in which the steps teach them.
 std::vector<KnownTable> tables_of_terms() {
   std::vector<KnownTable> tables = {{"damping", 2}};
   for (const std::string& name : term_tables())

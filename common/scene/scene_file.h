@@ -1,5 +1,5 @@
-// The parsed scene: its tables, the changes that the command line makes in them, and the tables that a
-// step teaches. Only the files that read a scene include this.
+// The parsed scene: its tables, the changes that the command line makes in them, and the tables
+// that a step teaches. Only the files that read a scene include this.
 #pragma once
 #include "scene/make_cloth.h"
 #include "scene/scene.h"

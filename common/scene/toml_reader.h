@@ -1,6 +1,6 @@
-// scene.toml, key by key. Every value is read with its type and range, and a value that does not fit is
-// refused in one line: `scene.toml:12: [time] h = -1.0 is not valid: it must be …`. Only the files that
-// read a scene include this.
+// scene.toml, key by key. Every value is read with its type and range, and a value that does not
+// fit is refused in one line: `scene.toml:12: [time] h = -1.0 is not valid: it must be …`. Only the
+// files that read a scene include this.
 #pragma once
 #include <toml++/toml.h>
 #include <filesystem>
@@ -26,7 +26,8 @@ class TomlTable {
   bool has(std::string_view key) const { return table_.contains(key); }
   void allow_only(const Names& keys) const;
 
-  // Each refuses a table without the key. A whole number will do for a number; nan and inf will not.
+  // Each refuses a table without the key. A whole number will do for a number; nan and inf will
+  // not.
   double number(std::string_view key, Range range) const;
   Vec2 two_numbers(std::string_view key, Range range) const;
   Vec3 three_numbers(std::string_view key,
@@ -53,5 +54,5 @@ class TomlTable {
 // The parsed file; refused where it is missing or no TOML.
 toml::table read_toml(const std::filesystem::path& file);
 
-// `scene.toml:12: ` for what stands in line 12, `scene.toml: ` for what the command line has set.
+// `scene.toml:12: ` for a node in line 12, `scene.toml: ` for a value of the command line.
 std::string location(const std::filesystem::path& file, const toml::node& node);

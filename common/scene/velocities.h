@@ -8,6 +8,6 @@
 // 17 significant digits; throws std::runtime_error like write_text.
 void write_velocities(const std::filesystem::path&, const VecX& v);
 
-// Throws BadInput, naming file and line, where a row is not three numbers or the number of rows is not the
-// number of vertices.
+// Throws BadInput, naming file and line, where a row is not three numbers or the number of rows is
+// not the number of vertices.
 VecX read_velocities(const std::filesystem::path&, int vertices);

@@ -5,8 +5,8 @@
 
 namespace {
 
-// How many letters must be inserted, deleted or replaced to make b of a. One row of the usual table:
-// row[j] is the distance of the letters of a read so far to the first j of b.
+// How many letters must be inserted, deleted or replaced to make b of a. One row of the usual
+// table: row[j] is the distance of the letters of a read so far to the first j of b.
 size_t distance(std::string_view a, std::string_view b) {
   std::vector<size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), size_t(0));

@@ -16,8 +16,9 @@ std::string read_text(const std::filesystem::path& path);
 // Appends 17 significant digits: enough to tell any two doubles apart.
 void append_number(std::string& text, double number);
 
-// Takes one number from the front of `text` and the blanks before it. False, and nothing taken, where
-// there is none; "nan" and "inf" are none. Exact: reading what append_number wrote gives the same bits.
+// Takes one number from the front of `text` and the blanks before it. False, and nothing taken,
+// where there is none; "nan" and "inf" are none. Exact: reading what append_number wrote gives the
+// same bits.
 bool take_number(std::string_view& text, double& number);
 
 // Takes one line from the front of `text`, without its end. False at the end of the text.

@@ -10,8 +10,9 @@ struct CannotWrite : std::runtime_error {
   CannotWrite(const std::filesystem::path& path, const std::string& reason);
 };
 
-// A file that is written as "<path>.part" and gets its name from finish(): a run that breaks off leaves
-// no half file. Every function throws CannotWrite with the system's reason, and then no .part is left.
+// A file that is written as "<path>.part" and gets its name from finish(): a run that breaks off
+// leaves no half file. Every function throws CannotWrite with the system's reason, and then no
+// .part is left.
 class WholeFile {
  public:
   explicit WholeFile(const std::filesystem::path&);

@@ -1,5 +1,5 @@
-// What conjugate gradients bring to a program: preconditioners, their tolerance, what happens where
-// they end too early, and pins with directions.
+// A program with conjugate gradients: preconditioners, tolerance, solves that stop too early, and
+// pins with directions.
 #include <cmath>
 
 #include "math/method.h"
@@ -152,8 +152,8 @@ TEST_P(ConjugateGradients, StoppedTooEarlyAreCountedAndSaid) {
   expect_says(outcome.out, "raise --max-iterations");
 }
 
-// The matrix as it is printed: for 0.2 s the program goes on with what it has, then the cloth bursts. Not
-// with bending, which keeps this cloth from it.
+// The matrix as the paper prints it is indefinite here. For 0.2 s the program goes on with the
+// solutions that it has, then the cloth explodes. With bending this cloth would not explode.
 TEST_P(ConjugateGradients, IndefiniteSystemsAreCountedAndSaid) {
   const auto until = [&](const std::string& end) {
     return run_to(
@@ -175,7 +175,8 @@ TEST_P(ConjugateGradients, IndefiniteSystemsAreCountedAndSaid) {
   expect_says(exploded.err, "try --jacobian definite, or a smaller h than 0.02 s");
 }
 
-// Steps far too long for the plain step, and not for Newton's method; bending, again, would help.
+// Steps that are far too long for the plain step, but not for Newton's method. With bending this
+// cloth would not explode.
 TEST_P(ConjugateGradients, ThatExplodeNameNewtonsMethodAndItHelps) {
   Arguments drop =
       small_square(8, {"--without", "bend", "--h", "4", "--end", "40", "--frames", "10"});
@@ -207,7 +208,7 @@ TEST_P(PinTables, HoldTheDirectionsThatTheyFixAndLeaveTheOthersFree) {
   EXPECT_EQ(run_to("out", {"scene.toml"}).code, 0);
   const Vec3 right = position("out", 24), left = position("out", 0), p = Vec3(0, 3, 4) / 5;
   EXPECT_NEAR(right.y(), 0, 1e-12);
-  EXPECT_GT(std::hypot(right.x() - 1, right.z() + 1), 1e-3) << "it slides on its level";
+  EXPECT_GT(std::hypot(right.x() - 1, right.z() + 1), 1e-3) << "it slides in its plane";
   EXPECT_NEAR(left.dot(p), 0.5 * 0.5, 1e-12);
   EXPECT_NEAR(velocity("out", 0).dot(p), 0.5, 1e-12);
   EXPECT_GT((left - left.dot(p) * p).norm(), 1e-3) << "it slides across its direction";
@@ -247,9 +248,9 @@ TEST_P(PinTables, HoldWhatNewtonMoves) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, PinTables, testing::ValuesIn(iterative_programs()), name_of);
 
-// Without a factorisation, the same cloth. In 200 steps until 1 s: from the folds of the second second
-// on every difference grows tenfold in 0.2 s, and even the direct solvers of step 3 part by 1e-5 m.
-// The blocks see less of the error in what they leave, so they get a smaller tolerance.
+// Conjugate gradients end where the direct solver ends, after 200 steps until 1 s. Later the cloth
+// folds, every difference grows tenfold in 0.2 s, and even the direct solvers of step 3 differ by
+// 1e-5 m. The residual of "block" shows less of its error, so "block" gets a smaller tolerance.
 TEST_F(ProgramDirectory, Step04EndsWhereStep03Ends) {
   const auto positions = [&](const std::string& program, const Arguments& more) {
     Arguments arguments = {"--h", "0.005", "--no-pictures", "--out", "out"};

@@ -1,4 +1,4 @@
-// --explain says what is so: what it prints is found again in runs of the same program.
+// The numbers that --explain prints are those of runs of the same program.
 #include <cmath>
 #include <regex>
 
@@ -24,7 +24,7 @@ double number(const std::string& page, const std::string& pattern) {
   return std::stod(found(page, pattern));
 }
 
-// As the page says a length.
+// A length as the page prints it.
 std::string length(double m) {
   char text[32];
   std::snprintf(text, sizeof text, m < 1 ? "%.3g mm" : "%.3g m", m < 1 ? 1000 * m : m);
@@ -133,7 +133,7 @@ TEST_P(ExplainExplicit, SaysTheCriticalStepOfARun) {
   EXPECT_NE(page(arguments).find("    " + line + "\n"), std::string::npos) << line;
 }
 
-// Without a term the step may be longer, by what a run without it says.
+// The longest stable step without a term is that of a run without the term.
 TEST_P(ExplainExplicit, SaysTheCriticalStepWithoutATerm) {
   const std::string said = page(square({"--end", "0.02"}));
   for (const std::string table : {"stretch", "shear"})
@@ -142,7 +142,7 @@ TEST_P(ExplainExplicit, SaysTheCriticalStepWithoutATerm) {
                     R"(h_crit = (\S+) s)"));
 }
 
-// An implicit step would also have to know where its elements lie in the matrix.
+// Only of explicit steps: an implicit step also stores where its elements lie in the matrix.
 TEST_P(ExplainExplicit, CountsTheBytesOfItsTriangles) {
   const std::string said = page(square({"--end", "0.02"}));
   EXPECT_EQ(number(said, R"(triangles .* (\d+) B  shared by stretch)"), 72 * sizeof(Triangle));
@@ -181,7 +181,7 @@ class ExplainBend : public ProgramDirectory {
 
 }  // namespace
 
-// A damping that has no option of its own: its line is taken out of the scene.
+// No option leaves out the damping of one term alone: the second scene has no line for it.
 TEST_F(ExplainBend, BendingAndTheDampingOfOneTermMoveTheClothAsFarAsItSays) {
   write("scene.toml", damped_and_bending);
   std::string undamped = damped_and_bending;
