@@ -20,6 +20,8 @@ require_tool(g++ "${CMAKE_CXX_COMPILER}${CMAKE_TOOLCHAIN_FILE}$ENV{CXX}" g++ c++
 if(CMAKE_BINARY_DIR MATCHES "\"")
   message(FATAL_ERROR "CMake cannot build in a directory whose path contains a double quote: ${CMAKE_BINARY_DIR}")
 endif()
+# The programs, in the order of the lessons.
+set(LARGE_STEPS_PROGRAMS step01_explicit step02_damping step03_implicit step04_cg step05_bend)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)  # Eigen without -O is 20 times slower

@@ -1,30 +1,31 @@
-// --explain: what a scene contains, what a step costs, what sets h, how large the error is and what could
-// be left out. All of it is measured on the step's own functions, and said on one page.
+// --explain: what a scene contains, what a step costs, what sets h, how large the error is and what
+// could be left out. All of it is measured on the step's own functions, and printed on one page.
 #pragma once
 #include <functional>
 #include <memory>
 
+#include "math/counters.h"
 #include "math/pattern.h"
-#include "program/run.h"
+#include "program/options.h"
 
-// What a step's System holds, in bytes.
-struct Held {
+// What a step's System takes, in bytes.
+struct Memory {
   size_t vectors = 0;
   size_t matrices = 0;  // blocks and their pattern; a preconditioner or a factor is not counted
   size_t slots = 0;     // where the elements lie in the matrices
 };
 
-// A step on one cloth, without its types: what --explain runs, and runs again without a term.
+// A step on one cloth, without its types: --explain runs it, and runs it again without a term.
 struct Simulation {
   std::function<void(double h, State&)> step;
   std::function<const VecX&(const State&)> forces;  // N
   std::function<Counters()> counters;
-  std::function<Held()> held;
+  std::function<Memory()> memory;
 };
 using Simulate = std::function<Simulation(const Cloth&, const Method&)>;
 
-// Prints the page and returns 0; writes nothing else. Throws std::invalid_argument for a method that
-// the scene cannot be solved with.
+// Prints the page and returns 0; writes nothing else. Throws std::invalid_argument for a method
+// that cannot solve this scene.
 int explain(const Options&, const Scene&, const Simulate&);
 
 template <class... Lists>
@@ -38,20 +39,20 @@ inline size_t bytes_of(const BlockMatrix& A) {
 
 // A System's own lists, by the names that they have in every step.
 template <class System>
-Held held_by(const System& s) {
-  Held held;
-  held.vectors = bytes_in(s.f);
+Memory memory_of(const System& s) {
+  Memory memory;
+  memory.vectors = bytes_in(s.f);
   if constexpr (requires { s.K; }) {
-    held.vectors += bytes_in(s.b, s.dv, s.v, s.Dv, s.start.x, s.start.v, s.trial.x, s.trial.v);
-    held.matrices = bytes_of(s.K) + bytes_of(s.D) + bytes_of(s.A) + bytes_of(s.D_start);
-    held.slots = s.slots.bytes();
+    memory.vectors += bytes_in(s.b, s.dv, s.v, s.Dv, s.start.x, s.start.v, s.trial.x, s.trial.v);
+    memory.matrices = bytes_of(s.K) + bytes_of(s.D) + bytes_of(s.A) + bytes_of(s.D_start);
+    memory.slots = s.slots.bytes();
   }
-  if constexpr (requires { s.preconditioner; }) held.vectors += bytes_in(s.r, s.c, s.q, s.s);
-  return held;
+  if constexpr (requires { s.preconditioner; }) memory.vectors += bytes_in(s.r, s.c, s.q, s.s);
+  return memory;
 }
 
 template <class System>
-Counters counted_by(const System& s) {
+Counters counters_of(const System& s) {
   if constexpr (requires { s.counts; }) return s.counts;
   return {};
 }
@@ -70,11 +71,12 @@ int explain(const Options& options, const Scene& scene, TimeStep* time_step, For
   return explain(options, scene, [=](const Cloth& of, const Method& method) -> Simulation {
     const auto cloth = std::make_shared<Cloth>(of);
     const auto system = std::make_shared<System>(make_system<System>(of, method));
-    return {[=](double h, State& state) { time_step(*cloth, h, state, *system); },
-            [=](const State& state) -> const VecX& {
+    return {.step = [=](double h, State& state) { time_step(*cloth, h, state, *system); },
+            .forces = [=](const State& state) -> const VecX& {
               forces(*cloth, state, *system);
               return system->f;
             },
-            [=] { return counted_by(*system); }, [=] { return held_by(*system); }};
+            .counters = [=] { return counters_of(*system); },
+            .memory = [=] { return memory_of(*system); }};
   });
 }

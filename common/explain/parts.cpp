@@ -1,8 +1,9 @@
 #include "explain/parts.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
+
+#include "text/text.h"
 
 namespace {
 
@@ -30,24 +31,18 @@ Cloth without_gravity(Cloth cloth) {
   return cloth;
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 std::string describe(const Term& term, const TermInfo& info) {
   const auto with_unit = [](const char* name, double value, std::string_view unit) {
-    return name + number(value) + " " + std::string(unit);
+    return text("%s%g ", name, value) + std::string(unit);
   };
-  std::string text(info.table);
-  if (!info.model.empty()) text += " (" + std::string(info.model) + ")";
-  text += with_unit(" k = ", term.k, info.units.k);
-  if (term.kd > 0) text += with_unit(", kd = ", term.kd, info.units.kd);
-  return text;
+  std::string words(info.table);
+  if (!info.model.empty()) words += " (" + std::string(info.model) + ")";
+  words += with_unit(" k = ", term.k, info.units.k);
+  if (term.kd > 0) words += with_unit(", kd = ", term.kd, info.units.kd);
+  return words;
 }
 
-// The tables of the terms that a cloth has, each once; of those that are damped.
+// The tables of all terms of a cloth, each once, and the tables of the damped ones.
 struct Tables {
   std::vector<std::string> all, damped;
 };
@@ -84,7 +79,7 @@ std::vector<Part> parts_of(const Cloth& cloth) {
 
 std::vector<std::string> describe_terms(const Cloth& cloth) {
   std::vector<std::string> terms;
-  if (cloth.gravity) terms.push_back("gravity " + number(cloth.gravity->norm()) + " m/s²");
+  if (cloth.gravity) terms.push_back("gravity " + text("%g", cloth.gravity->norm()) + " m/s²");
   for_each_term(cloth, [&]<class T>(const std::optional<T>& term) {
     if (term) terms.push_back(describe(*term, T::info));
   });
@@ -105,21 +100,21 @@ std::vector<std::string> sharing_terms(const Cloth& cloth) {
 
 std::string describe_elements(const Scene& scene) {
   const Cloth& cloth = scene.cloth;
-  std::string text = std::to_string(cloth.vertices()) + " vertices, " +
-                     std::to_string(scene.mesh.faces.size()) + " triangles";
+  std::string words = std::to_string(cloth.vertices()) + " vertices, " +
+                      std::to_string(scene.mesh.faces.size()) + " triangles";
   std::map<std::string_view, size_t> elements;  // hinges, springs
   for_each_family(cloth, [&](const auto& family) {
     elements[std::decay_t<decltype(family.elements[0])>::plural] += family.elements.size();
   });
   for (const auto& [plural, number] : elements)
     if (number > 0 && plural != Triangle::plural)
-      text += ", " + std::to_string(number) + " " + std::string(plural);
+      words += ", " + std::to_string(number) + " " + std::string(plural);
   const long moving = std::count_if(cloth.pins.begin(), cloth.pins.end(),
                                     [](const Pin& pin) { return !pin.velocity.isZero(0); });
-  text += ", " + std::to_string(cloth.pins.size()) + " pinned";
-  return text + (moving > 0 ? " (" + std::to_string(moving) +
-                                  (moving == 1 ? " of them moves)" : " of them move)")
-                            : "");
+  words += ", " + std::to_string(cloth.pins.size()) + " pinned";
+  return words + (moving > 0 ? " (" + std::to_string(moving) +
+                                   (moving == 1 ? " of them moves)" : " of them move)")
+                             : "");
 }
 
 size_t element_bytes(const Cloth& cloth) {

@@ -1,4 +1,4 @@
-// What a scene models, and the cloth without one of it.
+// What a scene models, and the cloth without one part of it.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,9 +8,9 @@
 // Something that can be left out.
 struct Part {
   std::string name;    // shear, damping of shear, all damping
-  std::string option;  // what leaves it out: an option, or the line of the scene
+  std::string option;  // how to leave it out: an option, or a change of the scene
   bool is_damping;
-  Cloth cloth;  // without it: as read_scene makes it
+  Cloth cloth;  // without it, as read_scene makes it
 };
 
 // Gravity, every term with its damping, and the damping of every term.
@@ -19,7 +19,7 @@ std::vector<Part> parts_of(const Cloth&);
 // gravity 9.81 m/s², stretch k = 1000 N/m, kd = 0.02 N·s/m, …
 std::vector<std::string> describe_terms(const Cloth&);
 
-// The terms that act on elements with another term, and share their costs with it.
+// The terms that share their elements, and the cost of visiting them, with another term.
 std::vector<std::string> sharing_terms(const Cloth&);
 
 // 3200 triangles, 4720 hinges, …

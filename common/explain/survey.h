@@ -1,49 +1,76 @@
-// What --explain measures. All runs advance together, from stop to stop, so that a busy machine slows
-// all of them alike, and end together: with the scene, or after a few seconds.
+// What --explain measures. All runs advance together, from stop to stop, so that a busy machine
+// slows all of them alike. They end with the scene, or after a few seconds of CPU time.
 #pragma once
 #include <optional>
 
 #include "explain/trials.h"
 
-constexpr double nudge = 1e-9;  // m
+constexpr double perturbation = 1e-9;  // m
 
-// What a step costs at the stops, in another way.
-struct Probe {
-  NamedMethod way;
+// The time of one step at every stop, with another method.
+struct StepTimes {
+  NamedMethod with;
   std::vector<double> seconds = {};
   double median() const;
 };
 
 struct Survey {
   double size = 0;  // m, the diagonal of the cloth's box at the start
-  std::vector<double> times =
-      {};  // s, of the stops; empty where the cloth explodes before the first
-  std::vector<VecX> best_at = {};  // 2 x(h/4) − x(h/2) at the stops: Richardson's guess at h = 0
-  std::vector<double> error_at = {};  // RMS distance of x(h) to it, m
-  std::vector<double> order_at = {};  // log2 |x(h) − x(h/2)| / |x(h/2) − x(h/4)|
 
-  Trial as_is;
+  // Of the stops. Empty where the cloth explodes before the first.
+  std::vector<double> times;          // s
+  std::vector<VecX> extrapolated_at;  // 2 x(h/4) − x(h/2): Richardson's estimate of h → 0
+  std::vector<double> error_at;       // m, RMS distance from x(h) to it
+  std::vector<double> order_at;       // log2 |x(h) − x(h/2)| / |x(h/2) − x(h/4)|
+
+  Trial baseline;       // the scene as it stands
   Trial half, quarter;  // h/2, h/4
-  Trial nudged;         // how small changes grow
+  Trial perturbed;      // shows how small changes grow
   std::optional<Trial> tighter;
-  std::vector<Trial> left_out;  // every part
-  std::vector<Trial> cheaper;   // compared with best_at
+  std::vector<Trial> left_out;  // one for every part
+  std::vector<Trial> cheaper;   // compared with extrapolated_at
 
-  std::vector<Probe> tenth_h;        // with steps of h/10
-  std::vector<Probe> other_methods;  // with the same h
+  std::vector<StepTimes> tenth_h;        // with steps of h/10
+  std::vector<StepTimes> other_methods;  // with the same h
 
-  // In interleaved rounds at the stops, medians:
-  double round_seconds = 0;                  // of a step
-  double forces_seconds = 0;                 // of one evaluation
-  std::vector<double> without_seconds = {};  // what it takes less without each part
+  // Medians of interleaved timings at all stops, s:
+  double median_step = 0;
+  double median_forces = 0;          // one evaluation of all forces
+  std::vector<double> median_saved;  // by an evaluation without each part
 
   bool nothing_moves() const { return quarter.distance_at.back() < 1e-12 * size; }
   size_t last() const { return times.size() - 1; }
-  // The last stop until which the order is near 1, so that the error is what error_at says.
-  std::optional<size_t> told() const;
-  // What h changes at a stop: the error, or where that cannot be told |x(h) − x(h/4)|, which is less.
+  double mean_seconds() const;  // of the baseline and the perturbed run, which do the same work
+  double mean_step() const;     // s
+  double timing_noise() const;  // relative difference of the two
+
+  // The last stop where the observed order is near 1, so that error_at estimates the error.
+  std::optional<size_t> last_reliable_stop() const;
+  // Errors are compared there, or where there is none at the last stop.
+  size_t compared_at() const { return last_reliable_stop().value_or(last()); }
+  // The error of h at a stop, m. Where it cannot be estimated: |x(h) − x(h/4)|, which is less.
   double error_of_h(size_t stop) const;
+  bool is_below_error(const Trial&) const;  // does leaving out this part change less than h does?
+
+  // A step of h/10: with a tenth of the tolerance as well, where the tolerance would otherwise be
+  // most of the error. Nothing for an explicit method, whose steps cost the same.
+  const StepTimes* step_of_a_tenth() const;
+  // Of the cheaper runs that take a tenth of the time the most accurate; where none does, the
+  // fastest.
+  const Trial* best_cheaper() const;
+  // Of the methods that solve as accurately the cheapest; nothing where it saves less than a fifth.
+  const StepTimes* better_method(double tolerance) const;
 };
 
 // Throws BadInput where the memory does not suffice for all of the runs.
 Survey survey(const Options&, const Scene&, const std::vector<Part>&, const Simulate&);
+
+// The longest stable explicit step at the start, and the same without each part.
+struct Limit {
+  double h_crit;                // s; infinite without an elastic force
+  std::vector<double> without;  // s
+};
+Limit explicit_limit(const Scene&, const std::vector<Part>&, const Simulate&, const Method&);
+
+// ω_max = 2/h_crit of the forces without damping at the start, 1/s.
+double largest_frequency(const Scene&);

@@ -5,24 +5,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explain/text.h"
+#include "math/method.h"
+#include "program/diagnostics.h"
+#include "text/text.h"
 
 namespace {
 
-constexpr double longest_thread = 1000;  // of its length; a longer one is an explosion
-constexpr double slow = 0.1;             // s, a step
+constexpr double slow_step = 0.1;  // s
 
-// Ten steps or a multiple, so that h can be ten times as long, and about twenty stops; every step
-// where there are few, or where they take long.
+// Methods that are always slower than the others: they exist to be compared with.
+bool is_slow(const std::string& name) {
+  return name == "inverse" || name == "none" || name == "jacobi";
+}
+
+// Steps from stop to stop: ten or a multiple, so that h can be ten times as long, and about twenty
+// stops. One step where the scene has few steps, or slow ones.
 long stride_of(const Scene& scene, const Simulate& simulate, const Method& method) {
   if (scene.time.steps() < 20) return 1;
   const Simulation simulation = simulate(scene.cloth, method);
   State state = scene.start;
-  if (seconds_of([&] { simulation.step(scene.time.h, state); }) > slow) return 1;
+  if (seconds_of([&] { simulation.step(scene.time.h, state); }) > slow_step) return 1;
   return 10 * std::max(1L, std::lround(double(scene.time.steps()) / 200));
 }
 
-// Where the vertices of a grid of fewer cells lie in a finer one, between its vertices.
+// The points of a finer grid where the vertices of a coarser one lie, interpolated between its
+// vertices.
 VecX sampled(const VecX& x, const Grid& fine, const Grid& coarse) {
   VecX at(3 * coarse.vertices());
   for (int j = 0; j <= coarse.cells[1]; ++j)
@@ -55,10 +62,6 @@ double seconds_of(const std::function<void()>& work) {
   return now() - start;
 }
 
-double rms_distance(const VecX& a, const VecX& b) {
-  return (a - b).norm() / std::sqrt(double(a.size()) / 3);
-}
-
 void Trial::advance() {
   if (!ended.empty()) return;
   const long stop = steps + stride;
@@ -69,13 +72,13 @@ void Trial::advance() {
       finite = state.x.allFinite();
     }
   });
-  if (!finite || !(max_stretch(*mesh, state.x) <= longest_thread))
+  if (!finite || !(max_stretch(*mesh, state.x) <= exploded_stretch))
     ended = text("explodes by t = %.3g s", double(steps) * h);
 }
 
-void Trial::note(const VecX& compared_with) {
+void Trial::compare_with(const VecX& other) {
   seconds_at.push_back(seconds);
-  distance_at.push_back(rms_distance(state.x, seen(compared_with)));
+  distance_at.push_back(rms_distance(state.x, at_own_vertices ? at_own_vertices(other) : other));
 }
 
 Trials::Trials(const Options& options_, const Scene& scene_, const Simulate& simulate_)
@@ -84,22 +87,21 @@ Trials::Trials(const Options& options_, const Scene& scene_, const Simulate& sim
 
 Trial Trials::trial(const std::string& name, const Cloth& cloth, const Method& method,
                     double factor_h) const {
-  return {name,
-          factor_h * scene.time.h,
-          std::lround(double(stride) / factor_h),
-          simulate(cloth, method),
-          scene.start,
-          &scene.mesh,
-          [](const VecX& x) { return x; }};
+  return {.options = name,
+          .h = factor_h * scene.time.h,
+          .stride = std::lround(double(stride) / factor_h),
+          .simulation = simulate(cloth, method),
+          .state = scene.start,
+          .mesh = &scene.mesh};
 }
 
-Trial Trials::nudged(double by) const {
-  Trial all = trial("", scene.cloth, options.method);
-  for (int i = 0; i < all.state.x.size(); ++i)
-    all.state.x[i] += by * std::sqrt(2.0 / 3) * std::sin(1.0 + 12.9898 * i);
+Trial Trials::perturbed(double by) const {
+  Trial run = trial("", scene.cloth, options.method);
+  for (int i = 0; i < run.state.x.size(); ++i)
+    run.state.x[i] += by * std::sqrt(2.0 / 3) * std::sin(1.0 + 12.9898 * i);
   for (const Pin& pin : scene.cloth.pins)
-    all.state.x.segment<3>(3 * pin.vertex) = scene.start.x.segment<3>(3 * pin.vertex);
-  return all;
+    run.state.x.segment<3>(3 * pin.vertex) = scene.start.x.segment<3>(3 * pin.vertex);
+  return run;
 }
 
 NamedMethod Trials::tighter() const {
@@ -109,7 +111,7 @@ NamedMethod Trials::tighter() const {
   return tight;
 }
 
-// What of it is not as it was asked for.
+// The options in which `method` differs from the command line.
 std::string Trials::options_of(const Method& method) const {
   std::string words;
   if (method.solver != options.method.solver) words += " --solver " + method.solver;
@@ -124,14 +126,15 @@ std::vector<NamedMethod> Trials::other_methods() const {
   std::vector<NamedMethod> methods;
   Method method = options.method;
   if (options.concepts.direct)
-    for (const char* solver : {"ldlt", "cholmod"}) {
+    for (const std::string& solver : solver_names) {
+      if (is_slow(solver)) continue;
       method.solver = solver;
       methods.push_back({options_of(method), method});
     }
   if (options.concepts.iterative)
-    for (const char* preconditioner : {"block", "ic", "multigrid"})
+    for (const std::string& preconditioner : preconditioner_names)
       for (const double tolerance : {options.method.tolerance, 1e-2}) {
-        if (tolerance < options.method.tolerance) continue;
+        if (tolerance < options.method.tolerance || is_slow(preconditioner)) continue;
         method.preconditioner = preconditioner;
         method.tolerance = tolerance;
         methods.push_back({options_of(method), method});
@@ -139,20 +142,21 @@ std::vector<NamedMethod> Trials::other_methods() const {
   return methods;
 }
 
-// Half the cells and twice h: an eighth of the work. Throws BadInput where other cells are no option.
+// Half the cells and twice h: an eighth of the work. Throws BadInput where the scene refuses
+// --cells.
 Trial Trials::fewer_cells() const {
   Overrides overrides = options.overrides;
   overrides.cells = scene.cloth.grid->cells[0] / 2;
   overrides.h = 2 * scene.time.h;
   const auto coarse =
       std::make_shared<const Scene>(read_scene(options.scene, options.program, overrides));
-  return {"--cells " + std::to_string(*overrides.cells) + " --h " + text("%g", *overrides.h),
-          *overrides.h,
-          stride / 2,
-          simulate(coarse->cloth, options.method),
-          coarse->start,
-          &coarse->mesh,
-          [coarse, fine = *scene.cloth.grid](const VecX& x) {
+  return {.options = text("--cells %d --h %g", *overrides.cells, *overrides.h),
+          .h = *overrides.h,
+          .stride = stride / 2,
+          .simulation = simulate(coarse->cloth, options.method),
+          .state = coarse->start,
+          .mesh = &coarse->mesh,
+          .at_own_vertices = [coarse, fine = *scene.cloth.grid](const VecX& x) {
             return sampled(x, fine, *coarse->cloth.grid);
           }};
 }

@@ -1,10 +1,12 @@
 #include "math/direct_solver.h"
 
-#include <unistd.h>
-
-#include <cstdio>
 #include <Eigen/SparseCholesky>
 #include <stdexcept>
+
+#include "math/method.h"
+#include "text/machine.h"
+#include "text/names.h"
+#include "text/text.h"
 #ifdef LARGE_STEPS_CHOLMOD
 #include <Eigen/CholmodSupport>
 #endif
@@ -92,16 +94,13 @@ class DenseInverse : public DirectSolver {
  public:
   DenseInverse(const BlockMatrix& pattern, const VecX& inverse_mass) : free(pattern, inverse_mass) {
     const double n = double(free.values.cols()), needed = 4 * 8 * n * n;  // A, LDLᵀ, LU, A⁻¹
-    const double memory = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
-    if (needed > 0.5 * memory) {
-      char text[160];
-      std::snprintf(text, sizeof text,
-                    "--solver inverse would need %.3g GB for the dense inverse of %.0f unknowns; "
-                    "half of this "
-                    "machine's memory is %.3g GB: use --solver ldlt or fewer cells",
-                    needed / 1e9, n, 0.5 * memory / 1e9);
-      throw std::invalid_argument(text);
-    }
+    const double memory = physical_memory();
+    if (needed > 0.5 * memory)
+      throw std::invalid_argument(
+          text("--solver inverse would need %.3g GB for the dense inverse of %.0f unknowns; half "
+               "of this "
+               "machine's memory is %.3g GB: use --solver ldlt or fewer cells",
+               needed / 1e9, n, 0.5 * memory / 1e9));
   }
   bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
     free.copy(A);
@@ -158,5 +157,5 @@ std::unique_ptr<DirectSolver> make_direct_solver(const std::string& name,
         "--solver cholmod: this program was built without it; install libsuitesparse-dev and "
         "configure again, or use --solver ldlt");
 #endif
-  throw std::invalid_argument("--solver " + name + ": must be ldlt, inverse or cholmod");
+  throw std::invalid_argument("--solver " + name + ": must be " + choices(solver_names));
 }

@@ -3,7 +3,9 @@
 #include <stdexcept>
 
 #include "math/incomplete_cholesky.h"
+#include "math/method.h"
 #include "math/multigrid.h"
+#include "text/names.h"
 
 namespace {
 
@@ -67,8 +69,8 @@ std::unique_ptr<Preconditioner> make_preconditioner(const std::string& name,
   if (name == "block") return std::make_unique<BlockJacobi>(pins);
   if (name == "ic") return std::make_unique<IncompleteCholesky>(pattern, pins);
   if (name != "multigrid")
-    throw std::invalid_argument("--preconditioner " + name +
-                                ": must be none, jacobi, block, ic or multigrid");
+    throw std::invalid_argument("--preconditioner " + name + ": must be " +
+                                choices(preconditioner_names));
   if (!grid)
     throw std::invalid_argument(
         "--preconditioner multigrid: the cloth is a mesh, and only a grid can be halved; use "

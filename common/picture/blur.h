@@ -1,4 +1,4 @@
-// Softens a mask: what makes a shadow look like one of a large lamp.
+// Softens a mask, so that a shadow looks like the shadow of a large lamp.
 #pragma once
 #include <vector>
 

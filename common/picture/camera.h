@@ -1,5 +1,5 @@
-// The matrices that take a point of space to the picture, as OpenGL wants them: everything that is
-// seen lands in the cube [-1, 1]^3.
+// The matrices that take a point of space to the picture, as OpenGL wants them: all visible
+// points land in the cube [-1, 1]^3.
 #pragma once
 #include <cmath>
 #include <Eigen/Dense>
@@ -45,7 +45,7 @@ inline Eigen::Matrix4d from_light(const Vec3& light, const Vec3& centre, double 
 }
 
 // Slides every point along `light` onto the ground y = 0; sees the square of half side `reach`
-// around `centre`. Depth keeps the height, so that what is below the ground can be clipped away.
+// around `centre`. Depth keeps the height, so that points below the ground can be clipped away.
 inline Eigen::Matrix4d onto_ground(const Vec3& light, const Vec3& centre, double reach) {
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
   m.row(0) << 1 / reach, -light.x() / light.y() / reach, 0, -centre.x() / reach;

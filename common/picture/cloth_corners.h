@@ -1,12 +1,12 @@
-// From the vertices of a cloth to the numbers that are drawn.
+// Turns the vertices of a cloth into the numbers that OpenGL draws.
 #pragma once
 #include <array>
 #include <vector>
 
 #include "math/types.h"
 
-// x in the units and the origin of the picture. Points beyond 1e4 are as good as infinitely far;
-// they are brought back so that their squares stay finite numbers.
+// x in the units and the origin of the picture. Coordinates beyond 1e4 are cut off there, so that
+// their squares stay finite.
 VecX staged(const VecX& x, const Vec3& origin, double size);
 
 // Per vertex, the mean of the normals of its faces, weighted by area: 2 area n = e1 × e2.

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+
+#include "text/text.h"
 
 namespace {
 
@@ -86,20 +87,14 @@ std::string describe(const Difference& d) {
   const char* name = v == Verdict::IDENTICAL    ? "IDENTICAL"
                      : v == Verdict::EQUIVALENT ? "EQUIVALENT"
                                                 : "DIFFERENT";
-  std::string psnr = "inf";  // 20 log10(255 / rmse), decibels
-  char text[256];
-  if (d.rmse > 0) {
-    std::snprintf(text, sizeof text, "%.1f", 20 * std::log10(255 / d.rmse));
-    psnr = text;
-  }
-  std::snprintf(text, sizeof text,
-                "%s max=%d rmse=%.3f psnr=%s dB above0=%ld above2=%ld above8=%ld", name, d.largest,
-                d.rmse, psnr.c_str(), d.above0, d.above2, d.above8);
-  std::string line = text;
+  // The peak signal-to-noise ratio, decibels.
+  const std::string psnr = d.rmse > 0 ? text("%.1f", 20 * std::log10(255 / d.rmse)) : "inf";
+  const std::string line =
+      text("%s max=%d rmse=%.3f psnr=%s dB above0=%ld above2=%ld above8=%ld", name, d.largest,
+           d.rmse, psnr.c_str(), d.above0, d.above2, d.above8);
   if (d.above8 == 0) return line;
-  std::snprintf(text, sizeof text, " box=(%d,%d)-(%d,%d) centre=(%.1f,%.1f)", d.left, d.top,
-                d.right, d.bottom, d.centre_x, d.centre_y);
-  return line + text;
+  return line + text(" box=(%d,%d)-(%d,%d) centre=(%.1f,%.1f)", d.left, d.top, d.right, d.bottom,
+                     d.centre_x, d.centre_y);
 }
 
 Image difference_picture(const Image& a, const Image& b) {

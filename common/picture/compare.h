@@ -1,4 +1,4 @@
-// Are two pictures the same? Numbers and a verdict, in place of two people looking.
+// Are two pictures the same? Numbers and a verdict.
 #pragma once
 #include <string>
 
@@ -9,9 +9,9 @@ struct Difference {
   int largest = 0;                          // difference of any channel, of 255
   double rmse = 0;                          // over all channels, of 255
   long above0 = 0, above2 = 0, above8 = 0;  // pixels whose largest channel differs by more
-  int left = 0, top = 0, right = -1,
-      bottom = -1;                    // box around those above 8; empty if right < left
-  double centre_x = 0, centre_y = 0;  // their mean position
+  // The box around the pixels above 8, empty if right < left, and their mean position.
+  int left = 0, top = 0, right = -1, bottom = -1;
+  double centre_x = 0, centre_y = 0;
 };
 
 enum class Verdict { IDENTICAL, EQUIVALENT, DIFFERENT };

@@ -1,4 +1,4 @@
-// What does not depend on where the context comes from.
+// The part of the context that OSMesa and EGL share.
 #include "picture/gl_context.h"
 
 #include <cstdlib>

@@ -40,7 +40,7 @@ class GlProgram {
   GlName program;
 };
 
-// Vertices in one buffer of floats: what the attributes 0, 1, … of a program read.
+// Vertices in one buffer of floats. The attributes 0, 1, … of a program read them.
 class GlVertices {
  public:
   // sizes: numbers per attribute. per_instance: one vertex for each copy that is drawn.
@@ -57,9 +57,9 @@ class GlFramebuffer {
  public:
   enum class Kind { COLOUR_AND_DEPTH, MASK, SHADOW };  // 8-bit RGB; one byte; 24-bit depth only
   GlFramebuffer(Kind what, int wide, int high);
-  void bind() const;  // what is drawn now goes here, to all of its area
+  void bind() const;  // from now on drawing goes here, to all of the picture
   void bind_texture(int unit) const;
-  std::vector<unsigned char> bytes() const;  // what is in it, bottom row first
+  std::vector<unsigned char> bytes() const;  // the pixels, bottom row first
   void upload(std::span<const unsigned char> mask) const;
 
  private:

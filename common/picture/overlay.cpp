@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "math/types.h"
 #include "picture/stroke_font.h"
 #include "picture/viridis.h"
+#include "text/text.h"
 
 namespace {
 
@@ -111,9 +111,7 @@ void fill(Image& image, double left, double top, double right, double bottom, Co
 // Enough decimals that quarters of the scale differ.
 std::string percent(double strain, double scale) {
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(scale))), 1, 9);
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f%%", decimals, 100 * strain);
-  return text;
+  return text("%.*f%%", decimals, 100 * strain);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ void draw_text(Image& image, double x, double y, double height, std::string_view
                Colour colour);
 double text_width(double height, std::string_view text);
 
-// Upper left: what is shown, and a smaller line of numbers.
+// Upper left: a title, and a smaller line of numbers.
 void draw_caption(Image& image, std::string_view title, std::string_view line);
 
 // Right: the colours of a strain map, from 0 to the strain at the end of the scale.

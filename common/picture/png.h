@@ -1,4 +1,4 @@
-// PNG files: whole or not at all.
+// PNG files, written whole or not at all.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -11,8 +11,7 @@
 // run must write the same bytes on every day.
 using PngText = std::vector<std::pair<std::string, std::string>>;
 
-// Writes "<path>.part" and renames it, so a reader never sees half a picture. Throws
-// std::runtime_error with path and reason; then nothing is left behind.
+// Throws CannotWrite (text/whole_file.h); then nothing is left behind.
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text = {});
 
 Image read_png(const std::filesystem::path& path);

@@ -4,17 +4,11 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
-#include <system_error>
 
 #include "picture/png.h"
+#include "text/whole_file.h"
 
 namespace {
-
-struct CannotWrite : std::runtime_error {
-  CannotWrite(const std::filesystem::path& path, const std::string& reason)
-      : std::runtime_error("cannot write " + path.string() + ": " + reason) {}
-};
 
 // libpng reports an error by calling on_error, which must not return.
 using Message = char[200];
@@ -66,7 +60,7 @@ bool write_chunks(png_structp png, png_infop info, const Image& image,
   return true;
 }
 
-// What went wrong; empty if nothing did.
+// The error; empty if there is none.
 std::string write_file(std::FILE* file, const Image& image, const PngText& text) {
   Message message = "out of memory";
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, message, on_error, on_warning);
@@ -91,16 +85,8 @@ void require_writable(const std::filesystem::path& path, const Image& image) {
 
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
   require_writable(path, image);
-  const std::filesystem::path part = path.string() + ".part";
-  std::FILE* file = std::fopen(part.c_str(), "wb");
-  if (file == nullptr) throw CannotWrite(path, std::strerror(errno));
-
-  std::string reason = write_file(file, image, text);
-  if (std::fclose(file) != 0 && reason.empty()) reason = std::strerror(errno);
-  std::error_code error;
-  if (reason.empty()) std::filesystem::rename(part, path, error);
-  if (error) reason = error.message();
-  if (reason.empty()) return;
-  std::filesystem::remove(part, error);
-  throw CannotWrite(path, reason);
+  WholeFile file(path);
+  const std::string reason = write_file(file.stream(), image, text);
+  if (!reason.empty()) throw CannotWrite(path, reason);
+  file.finish();
 }

@@ -83,7 +83,7 @@ struct Renderer::Parts {
   const GlProgram pin = program(pin_vertex_source, pin_fragment_source);
   GlVertices corners{{3, 3, 2, 1}};
   GlVertices pins{{3}, true};
-  const GlVertices none{{}};  // for shaders that make their own
+  const GlVertices none{{}};  // for shaders that compute their own vertices
   const GlFramebuffer shadow_map{GlFramebuffer::Kind::SHADOW, shadow_side, shadow_side};
   const GlFramebuffer mask{GlFramebuffer::Kind::MASK, mask_side, mask_side};
 
@@ -168,7 +168,7 @@ struct Renderer::Parts {
   }
 
   void draw_floor(const Scene& scene, const Style& style) const {
-    if (scene.eye.y() <= 0) return;  // seen from below the floor is glass
+    if (scene.eye.y() <= 0) return;  // from below, the floor is transparent
     use(floor, scene, style);
     mask.bind_texture(0);
     floor.set("shadow_mask", 0);

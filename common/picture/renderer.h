@@ -1,5 +1,5 @@
 // Draws a cloth in a photographer's studio: the same light for every frame, so that frames can be
-// compared. What a picture shows depends on the arguments of draw alone, not on earlier pictures.
+// compared. A picture depends on the arguments of draw alone, not on earlier pictures.
 #pragma once
 #include <array>
 #include <memory>
@@ -10,7 +10,7 @@
 #include "math/types.h"
 #include "picture/image.h"
 
-struct Surface {  // what stays the same from frame to frame
+struct Surface {  // the same in all frames
   std::vector<Face> faces;
   // m, per face corner: where the corner lies on the flat cloth; the checker is drawn in these.
   std::vector<std::array<Vec2, 3>> texture;
@@ -28,12 +28,12 @@ struct Style {
   int width = 1280, height = 720;  // pixels
   int supersampling = 3;           // every pixel is the mean of 3 × 3
   bool wireframe = false;          // readable up to about 40 × 40 cells
-  std::optional<double> strain_scale =
-      {};  // the strain at the end of the colour scale; absent: checker
+  // The strain at the end of the colour scale; absent: the checker is drawn.
+  std::optional<double> strain_scale = {};
 };
 
-// Throws std::invalid_argument for a picture that no Renderer can draw with 3 × 3 supersampling;
-// to be asked before hours of simulation.
+// Throws std::invalid_argument for a picture that no Renderer can draw with 3 × 3 supersampling.
+// Call it before a long simulation.
 void check_size(int width, int height);
 
 class Renderer {

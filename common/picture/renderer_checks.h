@@ -1,4 +1,5 @@
-// What a Renderer refuses to draw: each check throws std::invalid_argument, one line with numbers.
+// Checks of everything that a Renderer draws: each throws std::invalid_argument, one line with
+// numbers.
 #pragma once
 #include "picture/renderer.h"
 

@@ -2,7 +2,7 @@
 // size, the ground is at y = 0. Colours are linear light until to_screen.
 #pragma once
 
-// Goes before every shader; what the shaders of one studio share.
+// Goes before every shader: definitions that all of them share.
 inline constexpr const char* studio_source = R"(#version 330 core
 uniform mat4 view_projection;
 uniform vec3 eye;
@@ -191,7 +191,7 @@ void main() {
   vec3 key_light = vec3(1.0, 0.955, 0.890);
   vec3 light = 1.16 * key_light * wrapped * lit + ambient(normal);
   light += 0.10 * vec3(0.85, 0.92, 1.0) * (0.5 + 0.5 * dot(normal, normalize(vec3(0.8, 0.1, 0.5))));
-  light += 0.22 * key_light * max(-toward_key, 0.0) * lit;  // what shines through
+  light += 0.22 * key_light * max(-toward_key, 0.0) * lit;  // light that shines through
   vec3 lamp = normalize(view + 0.8 * cross(vec3(0.0, 1.0, 0.0), view) + vec3(0.0, 0.3, 0.0));
   float lamp_light = gl_FrontFacing ? 0.0 : max(dot(normal, lamp), 0.0);  // beside the camera
   light += 0.78 * lamp_light * lamp_light;

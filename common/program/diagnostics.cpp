@@ -60,3 +60,19 @@ VecX vertex_strain(const Mesh& mesh, const VecX& x) {
   }
   return strain;
 }
+
+double lowest(const VecX& x) {
+  double y = x[1];
+  for (int i = 4; i < x.size(); i += 3) y = std::min(y, x[i]);
+  return y;
+}
+
+Eigen::AlignedBox3d box_of(const VecX& x) {
+  Eigen::AlignedBox3d box;
+  for (int i = 0; i < x.size() / 3; ++i) box.extend(x.segment<3>(3 * i));
+  return box;
+}
+
+double rms_distance(const VecX& a, const VecX& b) {
+  return (a - b).norm() / std::sqrt(double(a.size()) / 3);
+}

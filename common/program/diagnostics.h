@@ -1,5 +1,6 @@
-// What a run is judged by: energies, the largest stretch, the lowest point.
+// Measures of a state: energies, the largest stretch, the lowest point, distances.
 #pragma once
+#include <Eigen/Geometry>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,8 +23,15 @@ struct Energies {
 };
 Energies energies(const Cloth&, const State&);
 
+// A cloth with a thread of more than this many times its length has exploded.
+constexpr double exploded_stretch = 1000;
+
 // The largest |w_u| or |w_v| of all triangles: 1 at rest.
 double max_stretch(const Mesh&, const VecX& x);
 
 // max(|w_u|, |w_v|) − 1, at least 0, per vertex: the largest of its triangles. For the strain map.
 VecX vertex_strain(const Mesh&, const VecX& x);
+
+double lowest(const VecX& x);                       // m, the smallest y
+Eigen::AlignedBox3d box_of(const VecX& x);          // around all vertices
+double rms_distance(const VecX& a, const VecX& b);  // m, RMS over the vertices

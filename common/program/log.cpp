@@ -1,56 +1,32 @@
 #include "program/log.h"
 
-#include <cerrno>
-#include <cstring>
-#include <stdexcept>
+#include "text/text.h"
 
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path) {
-  throw std::runtime_error(path.string() + ": cannot be written: " + std::strerror(errno));
+std::string line_of(const LogRow& row, const auto& cell) {
+  std::vector<std::string> cells;
+  for (const auto& column : row) cells.push_back(cell(column));
+  return joined(cells, ",") + "\n";
 }
 
 }  // namespace
 
-Log::Log(const std::filesystem::path& path_, const std::vector<std::string>& columns)
-    : path(path_), part(path_.string() + ".part"), file(std::fopen(part.c_str(), "w")) {
-  if (!file) fail(path);
-  std::string header;
-  for (const std::string& column : columns) header += (header.empty() ? "" : ",") + column;
-  write(header + "\n");
-}
-
-// A run that ends in an error still leaves the rows that it wrote.
 Log::~Log() {
-  if (file && std::fclose(file) == 0) {
-    std::error_code ignored;
-    std::filesystem::rename(part, path, ignored);
+  try {
+    close();
+  } catch (const CannotWrite&) {
   }
 }
 
-void Log::row(const std::vector<double>& values) {
-  std::string line;
-  char number[32];
-  for (const double value : values) {
-    std::snprintf(number, sizeof number, "%.12g", value);
-    line += (line.empty() ? "" : ",") + std::string(number);
+void Log::write(const LogRow& row) {
+  if (!file) {
+    file.emplace(path);
+    file->write(line_of(row, [](const auto& column) { return column.first; }));
   }
-  write(line + "\n");
-}
-
-void Log::write(const std::string& line) {
-  if (std::fputs(line.c_str(), file) >= 0 && std::fflush(file) == 0) return;
-  const int reason = errno;
-  std::fclose(file);
-  file = nullptr;
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  errno = reason;
-  fail(path);
+  file->write(line_of(row, [](const auto& column) { return text("%.12g", column.second); }));
 }
 
 void Log::close() {
-  std::FILE* open = file;
-  file = nullptr;
-  if (std::fclose(open) != 0 || std::rename(part.c_str(), path.c_str()) != 0) fail(path);
+  if (file && file->is_open()) file->finish();
 }

@@ -1,22 +1,24 @@
 // log.csv: a header, and a row per frame as soon as it is there.
 #pragma once
-#include <cstdio>
-#include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-// Written as log.csv.part, so that a log.csv is always whole, and renamed by close(). Throws
-// std::runtime_error with the path and the reason where writing fails.
+#include "text/whole_file.h"
+
+using LogRow = std::vector<std::pair<std::string, double>>;  // name of the column, value
+
+// The first row brings the header. A run that breaks off still leaves the rows that it wrote, and a
+// run without a row leaves no file. Throws CannotWrite.
 class Log {
  public:
-  Log(const std::filesystem::path& path, const std::vector<std::string>& columns);
+  explicit Log(const std::filesystem::path& path_) : path(path_) {}
   ~Log();
-  void row(const std::vector<double>& values);
+  void write(const LogRow&);
   void close();
 
  private:
-  void write(const std::string& line);
-
-  std::filesystem::path path, part;
-  std::FILE* file;
+  std::filesystem::path path;
+  std::optional<WholeFile> file;
 };

@@ -16,12 +16,6 @@ std::string below_one(const std::string& text) {
   return "wants a number above 0 and below 1, not \"" + text + "\"";
 }
 
-std::string shortest(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
-
 std::array<int, 2> parse_size(const std::string& text) {
   std::array<int, 2> size{};
   int end = 0;
@@ -44,9 +38,11 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
 
   // No -h: CLI11 2.4 refuses --h beside it.
   app.set_help_flag("--help", "list the options");
-  app.add_option("scene", options.scene, "what is simulated; the step's own scene.toml if absent")
+  app.add_option("scene", options.scene,
+                 "the scene to simulate; the step's own scene.toml if absent")
       ->option_text("[scene.toml]");
-  app.add_option("--out", options.out, "where the results go; out/" + program.name + " if absent")
+  app.add_option("--out", options.out,
+                 "directory of the results; out/" + program.name + " if absent")
       ->option_text("DIR");
   app.add_option("--frames", options.overrides.frames, "number of frames after the start")
       ->check(positive_integer)
@@ -62,53 +58,57 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
       ->check(positive_integer)
       ->option_text("N");
   app.add_option("--without", options.overrides.without,
-                 "leave a table of the scene out; may repeat")
+                 "leave out a table of the scene; can be repeated")
       ->option_text("TABLE");
-  app.add_flag("--explain", options.explain,
-               "say what is in the scene, what it costs, what sets h and what could be left out; "
-               "writes nothing");
+  app.add_flag(
+      "--explain", options.explain,
+      "print what the scene contains, what a step costs, what sets h and what could be left "
+      "out; write no file");
   app.add_flag_callback(
-      "--no-pictures", [&] { options.pictures = false; }, "numbers only");
-  app.add_option("--size", size,
-                 "of every picture; 1280x720 for the still and half of it for the frames if absent")
+      "--no-pictures", [&] { options.pictures = false; }, "write no pictures");
+  app.add_option(
+         "--size", size,
+         "size of every picture; 1280x720 for the still and half of that for the frames if absent")
       ->option_text("WxH");
   app.add_flag("--wireframe", options.wireframe, "draw the triangles");
   app.add_flag("--caption", options.caption, "write the scene and the time on every picture");
   app.add_option("--strain", options.strain_scale,
-                 "colour by strain; the end of the scale, 0.1 for 10 %")
+                 "colour by strain; SCALE is the end of the colour scale, 0.1 for 10 %")
       ->check(positive_number)
       ->option_text("SCALE");
-  app.add_option("--export", "one mesh per frame as well; obj is the only format")
+  app.add_option("--export", "also write a mesh per frame; obj is the only format")
       ->check(CLI::IsMember({"obj"}))
       ->option_text("obj")
       ->each([&](const std::string&) { options.export_obj = true; });
   if (program.concepts.implicit) {
     app.add_option("--jacobian", options.method.jacobian,
-                   "the matrix: definite, or as BW98 print it")
+                   "the matrix: definite, or bw98 as Baraff & Witkin print it; definite if absent")
         ->transform(CLI::CheckedTransformer(std::map<std::string, Jacobian>{
             {"definite", Jacobian::definite}, {"bw98", Jacobian::bw98}}))
         ->option_text("definite|bw98");
     app.add_option("--newton", options.method.newton,
-                   "Newton iterations per step at most; 1 if absent")
+                   "largest number of Newton iterations per step; 1 if absent")
         ->check(positive_integer)
         ->option_text("N");
   }
   if (program.concepts.direct)
-    app.add_option("--solver", options.method.solver, "of the linear system; ldlt if absent")
-        ->check(CLI::IsMember({"ldlt", "inverse", "cholmod"}))
-        ->option_text("ldlt|inverse|cholmod");
+    app.add_option("--solver", options.method.solver,
+                   "solver of the linear system; " + options.method.solver + " if absent")
+        ->check(CLI::IsMember(solver_names))
+        ->option_text(joined(solver_names, "|"));
   if (program.concepts.iterative) {
-    app.add_option("--preconditioner", options.method.preconditioner,
-                   "of conjugate gradients; " + options.method.preconditioner + " if absent")
-        ->check(CLI::IsMember({"none", "jacobi", "block", "ic", "multigrid"}))
-        ->option_text("none|jacobi|block|ic|multigrid");
+    app.add_option(
+           "--preconditioner", options.method.preconditioner,
+           "preconditioner of conjugate gradients; " + options.method.preconditioner + " if absent")
+        ->check(CLI::IsMember(preconditioner_names))
+        ->option_text(joined(preconditioner_names, "|"));
     app.add_option("--tolerance", options.method.tolerance,
-                   "of conjugate gradients, the error of a solution relative to it; " +
-                       shortest(options.method.tolerance) + " if absent")
+                   "largest error of conjugate gradients, relative to the solution; " +
+                       text("%g", options.method.tolerance) + " if absent")
         ->check(below_one)
         ->option_text("E");
     app.add_option("--max-iterations", options.method.max_iterations,
-                   "of conjugate gradients in one system at most; " +
+                   "largest number of iterations of conjugate gradients per system; " +
                        std::to_string(options.method.max_iterations) + " if absent")
         ->check(positive_integer)
         ->option_text("N");

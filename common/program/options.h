@@ -8,7 +8,7 @@
 #include "math/method.h"
 #include "scene/scene.h"
 
-// What a step has the concept of; each brings its options.
+// The concepts that a step has; each brings its options.
 struct Concepts {
   bool implicit = false;   // --jacobian, --newton
   bool direct = false;     // --solver
@@ -24,7 +24,7 @@ struct Program {
 };
 
 struct Options {
-  std::string program;
+  std::string program;  // step01_explicit
   std::filesystem::path scene;
   std::filesystem::path out;
   Overrides overrides;
@@ -37,7 +37,7 @@ struct Options {
   std::optional<std::array<int, 2>> size;  // of every picture
   bool wireframe = false;
   bool caption = false;
-  std::optional<double> strain_scale;  // the strain at the end of the colours
+  std::optional<double> strain_scale;  // the strain at the end of the colour scale
 };
 
 // Runs simulate(options) and returns the exit code of the program: 0 done, 1 the run broke off, 2

@@ -6,6 +6,7 @@
 #include "picture/overlay.h"
 #include "program/diagnostics.h"
 #include "program/stage.h"
+#include "text/text.h"
 
 namespace {
 
@@ -19,12 +20,6 @@ Surface surface_of(const Scene& scene, double size) {
   surface.checker = size / 10;
   for (const Pin& pin : scene.cloth.pins) surface.pins.push_back(pin.vertex);
   return surface;
-}
-
-std::string number(double value, const char* format = "%.6g") {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 }  // namespace
@@ -43,18 +38,17 @@ Image Pictures::draw(const VecX& x, double time, int width, int height) const {
       renderer.draw(stage, x, style, options.strain_scale ? vertex_strain(scene.mesh, x) : VecX());
   if (options.strain_scale) draw_legend(image, *options.strain_scale);
   if (options.caption)
-    draw_caption(
-        image, options.program,
-        scene_name() + "  h = " + number(scene.time.h) + " s  t = " + number(time, "%.3f") + " s");
+    draw_caption(image, options.program,
+                 scene_name() + text("  h = %.6g s  t = %.3f s", scene.time.h, time));
   return image;
 }
 
-// What made a frame. Neither a date nor a machine, so that equal runs give equal bytes.
+// How a frame was made. Without date and machine, so that equal runs give equal bytes.
 PngText Pictures::about(double time) const {
   return {{"Software", "Large Steps, " + options.program},
           {"Scene", scene_name()},
-          {"TimeStep", number(scene.time.h) + " s"},
-          {"Time", number(time) + " s"}};
+          {"TimeStep", text("%.6g s", scene.time.h)},
+          {"Time", text("%.6g s", time)}};
 }
 
 std::string Pictures::scene_name() const {
@@ -72,18 +66,16 @@ bool Pictures::on_film(int number) const {
   return false;
 }
 
-void Pictures::frame(int number_, const VecX& x, double time) {
+void Pictures::frame(int number, const VecX& x, double time) {
   const auto [width, height] = options.size.value_or(std::array{640, 360});
   Image image = draw(x, time, width, height);
-  char name[32];
-  std::snprintf(name, sizeof name, "frame_%04d.png", number_);
-  write_png(options.out / name, image, about(time));
+  write_png(options.out / text("frame_%04d.png", number), image, about(time));
   if (!options.caption)
-    draw_text(image, 0.03 * width, 0.92 * height, 0.05 * height, number(time, "%.3f") + " s", ink);
+    draw_text(image, 0.03 * width, 0.92 * height, 0.05 * height, text("%.3f s", time), ink);
   film_end = time;
   if (!last_is_kept) strip.pop_back();
   strip.push_back(std::move(image));
-  last_is_kept = on_film(number_);
+  last_is_kept = on_film(number);
 }
 
 void Pictures::still(const VecX& x, double time) {

@@ -24,5 +24,5 @@ class Pictures {
   mutable Renderer renderer;
   std::vector<Image> strip;  // the moments of the film so far, and the last frame
   double film_end = 0;       // s
-  bool last_is_kept = true;  // on the film, whatever comes after it
+  bool last_is_kept = true;  // is the last picture of the strip on the film for good?
 };

@@ -1,14 +1,17 @@
 // How far a run has come: a bar with the time left on a terminal, plain lines elsewhere.
 #pragma once
 #include <chrono>
+#include <cstdio>
+#include <string>
 
 class Progress {
  public:
-  explicit Progress(long steps);
+  explicit Progress(long steps, const std::string& what = "", std::FILE* stream = stdout);
 
-  void show(long step);  // often: draws only when there is something new to see
+  // To be called after every step: draws ten times a second, or writes a line every ten seconds.
+  void show(long step);
   void show_frame(int frame, int frames, long step, double time);
-  void end();  // leaves the line
+  void end();  // clears the bar
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -16,6 +19,8 @@ class Progress {
   double seconds_left(long step) const;
 
   long steps;
+  std::string what;  // before every line: "measuring: "
+  std::FILE* stream;
   bool terminal;
   Clock::time_point start, shown;
 };

@@ -1,15 +1,10 @@
-// One run of a program: its directory, its log, its pictures, its progress and its end. What a step
-// teaches, the loop over frames and time steps, stays in its main.cpp.
+// One run of a program: its directory, its log, its pictures, its progress and its end. The loop
+// over frames and time steps stays in the main.cpp of each step.
 #pragma once
 #include <memory>
 
-#include "program/diagnostics.h"
+#include "math/counters.h"
 #include "program/options.h"
-
-struct Measures {
-  Energies energies;
-  double max_stretch;
-};
 
 class Run {
  public:
@@ -17,7 +12,7 @@ class Run {
   Run(const Options&, const Scene&);
   ~Run();
 
-  // Says the longest stable step of an explicit method, and warns if h is beyond 0.9 of it.
+  // Prints the longest stable step of an explicit method, and warns if h is beyond 0.9 of it.
   void report_critical_step(double h_crit);
 
   // True until the step that frame k shows is done, or the user stops the run.
@@ -30,17 +25,11 @@ class Run {
   // Frame k: a row of log.csv, the pictures, with --export obj a mesh.
   void record(int frame, const State&);
 
-  // Film, still, final.obj and final_velocities.csv; the last line. Returns the exit code.
+  // Writes film.png, final.obj and final_velocities.csv, and prints the last lines. Returns the
+  // exit code.
   int finish(const State&);
 
-  long steps() const;  // done so far
-
  private:
-  Measures look(const State&);
-  Counters counters;
-  long gained = 0;  // looked-at steps with more energy than the start, by over 1e-3 of its scale;
-                    // not counted where a pin moves, which does work
-
-  struct Files;
-  std::unique_ptr<Files> files;
+  struct Impl;
+  std::unique_ptr<Impl> impl;
 };

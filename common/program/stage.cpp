@@ -3,16 +3,11 @@
 #include <algorithm>
 
 #include "picture/camera.h"
+#include "program/diagnostics.h"
 
 namespace {
 
 using Box = Eigen::AlignedBox3d;
-
-Box box_of(const VecX& x) {
-  Box box;
-  for (int i = 0; i < x.size() / 3; ++i) box.extend(x.segment<3>(3 * i));
-  return box;
-}
 
 // A pinned cloth swings about its pins: no lower than its longest reach, and as far to the other
 // side as it starts on this one, or all around if it is given a velocity.
@@ -44,7 +39,7 @@ Box swing(const Scene& scene, const Box& start) {
   return box;
 }
 
-// A free cloth flies as its centre does, and may turn on the way.
+// The centre of a free cloth flies like a stone; the cloth may turn about it.
 Box flight(const Scene& scene, const Box& start) {
   const double t = scene.time.end, mass = scene.cloth.mass.sum() / 3;
   Vec3 momentum = Vec3::Zero();
@@ -61,8 +56,8 @@ Box flight(const Scene& scene, const Box& start) {
   return box;
 }
 
-// How far from the target the eye has to be for the whole box to fit into a 16:9 picture: for every
-// corner, its depth and its distance from the line of sight.
+// The distance from the target to the eye at which the whole box fits into a 16:9 picture: for
+// every corner, its depth and its distance from the line of sight.
 double distance_to_see(const Box& box, const Vec3& target, const Vec3& towards) {
   const double margin = 1.08, up_slope = std::tan(field_of_view / 2),
                right_slope = up_slope * 16 / 9;

@@ -36,7 +36,7 @@ std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-// What may follow the numbers, a weight or a colour, is not needed.
+// A weight or a colour may follow the numbers; both are skipped.
 bool are_numbers(std::string_view line, int count) {
   for (double number = 0; count > 0; --count)
     if (!take_number(line, number)) return false;
@@ -49,8 +49,8 @@ bool take_slash(std::string_view& word) {
   return true;
 }
 
-// The index of one of `count` lines so far: 1 is the first of the file, −1 the last one so far. What
-// names none of them becomes negative, or is found too large once the whole file is read.
+// The index of one of `count` lines so far: 1 is the first of the file, −1 the last one so far. An
+// index of no line becomes negative, or is found too large when the whole file has been read.
 bool take_index(std::string_view& word, size_t count, int& index) {
   int number = 0;
   const std::from_chars_result read =
@@ -80,7 +80,7 @@ bool take_triangle(std::string_view line, const ObjFile& file, FaceLine& face) {
   return take_word(line).empty();
 }
 
-// "" for a good line, and what it should have been for a bad one. Other keywords are skipped.
+// What a bad line should have been; "" for a good line. Lines with other keywords are skipped.
 std::string read_line(std::string_view line, int number, ObjFile& file) {
   line = line.substr(0, line.find('#'));
   const std::string_view keyword = take_word(line);

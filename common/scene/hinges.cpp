@@ -27,13 +27,13 @@ double shape(const FlatFlap& flap0, const FlatFlap& flap1) {
   return squared_edge(flap0, flap1) / (2 * (area(flap0) + area(flap1)));
 }
 
-// How far the corners 0 are apart when the hinge is flat.
+// The distance of the two corners 0 when the hinge is flat.
 double opposite_distance(const FlatFlap& flap0, const FlatFlap& flap1) {
-  const auto place = [](const FlatFlap& p) {  // of corner 0: along the edge, and off it
+  const auto place = [](const FlatFlap& p) {  // of corner 0: along the edge, and across it
     const Vec2 e = p[2] - p[1], middle = 0.5 * (p[1] + p[2]);
     return Vec2((p[0] - middle).dot(e) / e.norm(), 2 * area(p) / e.norm());
   };
-  return (place(flap0) + place(flap1)).norm();  // flap 1 sees both turned round
+  return (place(flap0) + place(flap1)).norm();  // for flap 1 both axes are reversed
 }
 
 template <class Make>

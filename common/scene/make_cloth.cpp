@@ -18,7 +18,7 @@ VecX vertex_masses(const Mesh& mesh, double density) {
   return mass;
 }
 
-// A vertex of infinite mass: no force moves it.
+// A pinned vertex has infinite mass: no force moves it.
 VecX inverse_masses(const VecX& mass, const std::vector<Pin>& pins) {
   VecX inverse = mass.cwiseInverse();
   for (const Pin& pin : pins)
@@ -32,7 +32,7 @@ void make_elements(const Mesh& mesh, Triangles& triangles) {
   for (size_t face = 0; face < mesh.faces.size(); ++face)
     triangles.elements.push_back(make_triangle(mesh, face));
 }
-void make_elements(const Mesh&, Springs&) {}  // laid by whoever builds the cloth
+void make_elements(const Mesh&, Springs&) {}  // who builds the cloth adds them
 void make_elements(const Mesh& mesh, Hinges& hinges) {
   hinges.elements = make_hinges(mesh);
 }

@@ -3,8 +3,8 @@
 #include "math/cloth.h"
 #include "scene/mesh.h"
 
-// What a scene names: terms without elements. An absent term costs nothing: no element, no array, no
-// arithmetic.
+// The terms that a scene names, still without elements. An absent term costs nothing: no element,
+// no array, no arithmetic.
 struct Model : Families {
   double density = 0.2;  // kg/m²
   std::vector<Pin> pins;

@@ -9,10 +9,10 @@
 
 struct Mesh {
   std::vector<Face> faces;
-  std::vector<std::array<Vec2, 3>>
-      rest;                         // m, (u, v) per face corner: one vertex of a seam has several
+  // m, (u, v) per face corner: a vertex on a seam has several.
+  std::vector<std::array<Vec2, 3>> rest;
   VecX x;                           // m, as the grid is laid or the file says
-  std::vector<bool> in_space = {};  // per face: at rest as it lies in x; empty where all are flat
+  std::vector<bool> in_space = {};  // per face: does it rest as it lies in x? empty where none does
   std::optional<Grid> grid = {};    // of a mesh that make_grid made
 
   int vertices() const { return int(x.size()) / 3; }
@@ -25,19 +25,20 @@ struct Mesh {
 Mesh make_grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals);
 
 // An OBJ file. The rest shape of a face is its texture coordinates, in m, or where it has none the
-// flat triangle itself, its first edge along u. Throws BadInput for a file without faces, faces that
-// are not triangles, an index out of range, a number that is not finite, and what check() refuses.
+// flat triangle itself, its first edge along u. Throws BadInput for a file without faces, faces
+// that are not triangles, an index out of range, a number that is not finite, and what check()
+// refuses.
 Mesh read_obj(const std::filesystem::path&);
 
-// Only where its vertices lie, its v lines: a start for a cloth with as many.
+// Only the v lines of an OBJ file: start positions for a cloth with as many vertices.
 VecX read_obj_vertices(const std::filesystem::path&);
 
-// Whether a rest triangle is more than a line, to within rounding.
+// Is a rest triangle more than a line, beyond rounding?
 bool has_area(const std::array<Vec2, 3>& uv);
 
-// Throws BadInput, naming `source` and the place, where a face has no area at rest or names a vertex
-// twice, an edge has more than two faces, or a vertex has no face and so no mass.
+// Throws BadInput, naming `source` and the place, where a face has no area at rest or names a
+// vertex twice, an edge has more than two faces, or a vertex has no face and so no mass.
 void check(const Mesh&, const std::filesystem::path& source);
 
-// 17 significant digits; what read_obj gives back differs by a last digit at most.
+// 17 significant digits; read_obj gives the same numbers, up to the last digit.
 void write_obj(const std::filesystem::path&, const Mesh&, const VecX& x);

@@ -6,7 +6,7 @@
 
 namespace {
 
-// A triangle whose area is this small a part of its longest edge squared is a line.
+// Area / (longest edge)²; a triangle with less is a line.
 constexpr double smallest_area = 1e-12;
 
 bool has_three_vertices(const Face& f) {

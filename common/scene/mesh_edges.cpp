@@ -16,7 +16,7 @@ struct Side {
   bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
 
-// The sides of all faces, those of one edge next to each other.
+// The sides of all faces, sorted: the sides of one edge are neighbours.
 std::vector<Side> sorted_sides(const std::vector<Face>& faces) {
   std::vector<Side> sides;
   sides.reserve(3 * faces.size());

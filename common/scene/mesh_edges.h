@@ -14,7 +14,7 @@ struct MeshEdges {
   int boundary = 0;  // edges of one face
 };
 
-// Flap 0 of a hinge is the one of its two faces that is listed first, as it is wound. Should the other
-// be wound against it, the hinge does not mind. On a disc V − E + F = 1, and so E = 3V − 3 − B with B
-// edges on the boundary. Throws BadInput, naming `source`, for an edge with more than two faces.
+// Flap 0 of a hinge is the face that is listed first, in its own orientation; the orientation of
+// the other face does not matter. On a disc V − E + F = 1, and so E = 3V − 3 − B with B edges on
+// the boundary. Throws BadInput, naming `source`, for an edge with more than two faces.
 MeshEdges find_edges(const std::vector<Face>&, const std::string& source = "mesh");

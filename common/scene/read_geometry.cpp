@@ -43,7 +43,7 @@ std::vector<int> named_vertices(const std::string& name, const std::array<int, 2
   return vertices;
 }
 
-// The vertices that a name or a number stands for, which `table` has under `key`.
+// The vertices of a pin that is a name or a number: the value of `key` in `table`.
 std::vector<int> pinned(const TomlTable& cloth, const TomlTable& table, const char* key,
                         const toml::node& pin, int vertices) {
   const std::string numbers = "a vertex number from 0 to " + std::to_string(vertices - 1);
@@ -61,7 +61,8 @@ std::vector<int> pinned(const TomlTable& cloth, const TomlTable& table, const ch
   return named_vertices(name, cloth.two_whole_numbers("cells"));
 }
 
-// One entry of pins: a name or a number holds all of its vertices, a table says in what they differ.
+// One entry of pins. A name or a number holds its vertices in all directions; a table names the
+// directions and a velocity.
 std::vector<Pin> read_entry(const TomlTable& cloth, const toml::node& entry, int vertices) {
   if (!entry.is_table()) {
     const std::vector<int> held = pinned(cloth, cloth, "pins", entry, vertices);

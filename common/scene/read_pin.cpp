@@ -1,4 +1,5 @@
 #include "scene/scene_file.h"
+#include "text/text.h"
 
 namespace {
 
@@ -31,20 +32,14 @@ Mat3 read_filter(const TomlTable& pin) {
   return letters ? without_axes(pin, *letters) : without_direction(pin);
 }
 
-std::string shown(const Vec3& v) {
-  char text[96];
-  std::snprintf(text, sizeof text, "[%.6g, %.6g, %.6g]", v[0], v[1], v[2]);
-  return text;
-}
-
-// What rounding has left in the free directions, 1e-6 of it, is taken out.
+// Only the part in the held directions. The rest must be rounding: 1e-6 of the velocity.
 Vec3 read_velocity(const TomlTable& pin, const Mat3& S) {
   if (!pin.has("velocity")) return Vec3::Zero();
   const Vec3 velocity = pin.three_numbers("velocity"), held = velocity - S * velocity;
   if ((velocity - held).stableNorm() > 1e-6 * velocity.stableNorm())
-    pin.refuse(
-        "velocity",
-        "it must lie in the directions that the pin fixes; the part that does is " + shown(held));
+    pin.refuse("velocity",
+               "it must lie in the directions that the pin fixes; the part that does is " +
+                   text("[%.6g, %.6g, %.6g]", held[0], held[1], held[2]));
   return held;
 }
 

@@ -37,7 +37,7 @@ Model read_model(const SceneFile& scene) {
   return model;
 }
 
-// With --end the still stays within the run that it asks for.
+// With --end, a still that would come after the end moves to the end.
 Camera read_camera(const SceneFile& scene, double end, bool end_is_given) {
   Camera camera;
   if (!scene.has("camera")) return camera;
@@ -56,7 +56,7 @@ Camera read_camera(const SceneFile& scene, double end, bool end_is_given) {
 
 }  // namespace
 
-// What is quickly checked comes first, the mesh and what needs it last.
+// Quick checks come first; the mesh and all that needs it last.
 Scene read_scene(const std::filesystem::path& path, const std::string& program,
                  const Overrides& overrides) {
   const SceneFile file(path, program, overrides);

@@ -9,8 +9,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // A perfectly flat sheet has no reason to fold to one side rather than the other. This 1 mm wrinkle
-// gives it one, the same for every mesh of the same sheet; the phases 1 and 2 keep its zeros off the
-// middle, the edges and the vertices, and leave no mirror symmetry:
+// gives it one, the same for every mesh of the same sheet; the phases 1 and 2 keep its zeros off
+// the middle, the edges and the vertices, and leave no mirror symmetry:
 //
 //   z = 1 mm sin(2π 3u/size_u + 1) sin(2π 2v/size_v + 2)
 double wrinkle(const Vec2& uv, const Vec2& size) {

@@ -1,4 +1,5 @@
-// The terms of a scene, each from the table that it names itself (math/family.h). No term is named here.
+// The terms of a scene, each from the table that it names itself (math/family.h). No term is named
+// here.
 #include <algorithm>
 
 #include "scene/scene_file.h"
@@ -32,7 +33,7 @@ bool has_modulus(std::string_view table) {
   return has;
 }
 
-// Does the scene have the table of this term, and is it the model that the table asks for? The first
+// Does the scene have the table of this term, and does the table ask for this model? The first
 // model of the lists is the default.
 bool names(const SceneFile& scene, const TermInfo& term) {
   if (term.first_step == 0 || !scene.has(named(term.table))) return false;
@@ -66,7 +67,7 @@ T read_term(const TomlTable& table) {
                           named(T::info.units.k) + ", or take another model");
 }
 
-// Damping belongs to a term: without its k there is nothing to damp.
+// Damping belongs to a term: a scene without the term has nothing to damp.
 void read_damping(const SceneFile& scene, Model& model) {
   if (!scene.has("damping")) return;
   const TomlTable table = scene.table("damping");

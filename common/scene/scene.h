@@ -15,14 +15,14 @@ struct Time {
   double end = 0;  // s
   int frames = 12;
 
-  // The time of step n is n h. The slack forgives an end / h that is whole but for rounding.
+  // The time of step n is n h. The slack of 1e-6 allows for rounding where end / h is whole.
   long steps() const { return std::lround(std::ceil(end / h - 1e-6)); }
   long step_of_frame(int frame) const {
     return std::lround(double(frame) * double(steps()) / double(frames));
   }
 };
 
-// How the scene is drawn; what is absent follows from where the cloth can go.
+// The camera. An absent value is chosen such that the whole motion is in the picture.
 struct Camera {
   std::optional<Vec3> eye, target;  // m
   std::optional<double> still;      // s, the moment of the still; the end if absent
@@ -37,11 +37,11 @@ struct Scene {
   Camera camera;
 };
 
-// What the command line changes in a scene before it is checked.
+// The changes that the command line makes in a scene, before the scene is checked.
 struct Overrides {
   std::optional<double> h = {}, end = {};
   std::optional<int> frames = {}, cells = {};  // cells along u; along v in proportion
-  std::vector<std::string> without = {};       // tables taken out; a term goes with its damping
+  std::vector<std::string> without = {};       // tables to leave out; a term with its damping
 };
 
 // Reads and checks everything before the first step. `program` is the name of the step (its first

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/step_names.h"
+
 namespace {
 
 // The tables of a scene and the first step that teaches each.
@@ -11,8 +13,8 @@ struct KnownTable {
   int step;
 };
 
-// Every term brings its table (math/cloth.h), and all of them bring [damping], which the second step
-// teaches. In the order in which the steps teach them.
+// Every term brings its table (math/cloth.h), and all of them bring [damping], which the second
+// step teaches. In the order in which the steps teach them.
 std::vector<KnownTable> tables_of_terms() {
   std::vector<KnownTable> tables = {{"damping", 2}};
   for (const std::string& name : term_tables())
@@ -36,16 +38,13 @@ const std::vector<KnownTable>& known_tables() {
   return all;
 }
 
-constexpr const char* steps[] = {"step01_explicit", "step02_damping", "step03_implicit",
-                                 "step04_cg", "step05_bend"};
-
 const KnownTable* find_table(std::string_view name) {
   for (const KnownTable& table : known_tables())
     if (table.name == name) return &table;
   return nullptr;
 }
 
-// Those that a step teaches, without its later ones.
+// The tables that a step teaches, without those of later steps.
 Names tables_of(int step) {
   Names names;
   for (const KnownTable& table : known_tables())
@@ -57,18 +56,11 @@ bool every_scene_needs(const std::string& table) {
   return table == "cloth" || table == "time";
 }
 
-// Those that a scene can do without.
+// The tables that a scene can do without.
 Names optional_tables() {
-  Names names = tables_of(int(std::size(steps)));
+  Names names = tables_of(int(step_names().size()));
   std::erase_if(names, every_scene_needs);
   return names;
-}
-
-// 3 of step03_implicit.
-int step_number(const std::string& program) {
-  for (int step = 1; step <= int(std::size(steps)); ++step)
-    if (program.starts_with(std::string(steps[step - 1]).substr(0, 6))) return step;
-  throw std::invalid_argument("no step is called " + program);
 }
 
 }  // namespace
@@ -130,7 +122,8 @@ void SceneFile::check_step(const std::string& program, const std::string& name,
   const int first = find_table(name)->step;
   if (first > step)
     throw BadInput(location(file, value) + program + " does not model [" + name + "]; " +
-                   steps[first - 1] + " does. --without " + name + " runs the scene without it");
+                   step_names()[first - 1] + " does. --without " + name +
+                   " runs the scene without it");
 }
 
 // A pin that is a table belongs to the filter of conjugate gradients.
@@ -140,7 +133,8 @@ void SceneFile::check_pins(const std::string& program) const {
   for (const toml::node& pin : *pins)
     if (pin.is_table())
       throw BadInput(location(file, pin) + program +
-                     " does not model pins with single directions or a velocity; " + steps[3] +
+                     " does not model pins with single directions or a velocity; " +
+                     step_names()[3] +
                      " does. A pin that is only a name or a number runs in every step");
 }
 
@@ -154,7 +148,7 @@ void SceneFile::apply(const Overrides& overrides) {
   if (overrides.cells) apply_cells(*overrides.cells);
 }
 
-// On other cells the number of a vertex is that of another place, or of none.
+// With other cells a vertex number means another place, or none.
 void SceneFile::check_numbered_pins(int cells) const {
   const toml::array* pins = tables["cloth"]["pins"].as_array();
   if (!pins) return;

@@ -1,5 +1,5 @@
-// The parsed scene: which tables there are, what the command line changes in them, and which of them
-// a step teaches. Only the files that read a scene include this.
+// The parsed scene: its tables, the changes that the command line makes in them, and the tables
+// that a step teaches. Only the files that read a scene include this.
 #pragma once
 #include "scene/make_cloth.h"
 #include "scene/scene.h"
@@ -7,7 +7,7 @@
 
 class SceneFile {
  public:
-  // Refuses tables that do not exist or that a later step teaches, and the damping of such.
+  // Refuses tables that do not exist, tables that a later step teaches, and damping of their terms.
   SceneFile(const std::filesystem::path& file, const std::string& program, const Overrides&);
 
   bool has(const std::string& table) const { return tables.contains(table); }
@@ -39,7 +39,8 @@ struct Geometry {
   std::vector<Pin> pins;
 };
 Geometry read_geometry(const SceneFile&);
-Pin read_pin(const TomlTable&, int vertex);                     // { fix, velocity }
-void read_terms(const SceneFile&, Model&);                      // with their damping
-void check_terms(const SceneFile&, const Mesh&, const Model&);  // can they rest as the mesh lies?
+Pin read_pin(const TomlTable&, int vertex);  // { fix, velocity }
+void read_terms(const SceneFile&, Model&);   // with their damping
+void check_terms(const SceneFile&, const Mesh&,
+                 const Model&);  // can their models rest as the mesh lies?
 State read_start(const SceneFile&, const Geometry&, const Cloth&);

@@ -1,12 +1,12 @@
 #include "scene/toml_reader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
 #include "text/bad_input.h"
+#include "text/text.h"
 #include "text/text_file.h"
 
 namespace {
@@ -42,17 +42,6 @@ bool read_list(const toml::node& node, int count, Number* numbers, const Read& r
   for (int i = 0; i < count; ++i)
     if (!read_one((*list)[i], numbers[i])) return false;
   return true;
-}
-
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
-  return text;
-}
-
-std::string shortest(double number) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
 // The value as the file has it; a long one only from its beginning.

@@ -1,6 +1,6 @@
-// scene.toml, key by key. Every value is asked for with its type and range, and what does not fit is
-// refused in one line: `scene.toml:12: [time] h = -1.0 is not valid: it must be …`. Only the files that
-// read a scene include this.
+// scene.toml, key by key. Every value is read with its type and range, and a value that does not
+// fit is refused in one line: `scene.toml:12: [time] h = -1.0 is not valid: it must be …`. Only the
+// files that read a scene include this.
 #pragma once
 #include <toml++/toml.h>
 #include <filesystem>
@@ -26,7 +26,8 @@ class TomlTable {
   bool has(std::string_view key) const { return table_.contains(key); }
   void allow_only(const Names& keys) const;
 
-  // Each refuses a table without the key. A whole number will do for a number; nan and inf will not.
+  // Each refuses a table without the key. A whole number will do for a number; nan and inf will
+  // not.
   double number(std::string_view key, Range range) const;
   Vec2 two_numbers(std::string_view key, Range range) const;
   Vec3 three_numbers(std::string_view key,
@@ -37,7 +38,7 @@ class TomlTable {
   std::filesystem::path existing_file(std::string_view key) const;  // relative to the scene's
   const toml::array& list(std::string_view key, const std::string& of_what) const;
   const toml::node& need(std::string_view key, const std::string& what) const;  // of any type
-  std::optional<std::string> text(std::string_view key) const;  // absent where it is no text
+  std::optional<std::string> text(std::string_view key) const;  // absent where the value is no text
 
   [[noreturn]] void refuse(std::string_view key, const std::string& must) const;
   [[noreturn]] void refuse(std::string_view key, const toml::node& value,
@@ -53,5 +54,5 @@ class TomlTable {
 // The parsed file; refused where it is missing or no TOML.
 toml::table read_toml(const std::filesystem::path& file);
 
-// `scene.toml:12: ` for what stands in line 12, `scene.toml: ` for what the command line has set.
+// `scene.toml:12: ` for a node in line 12, `scene.toml: ` for a value of the command line.
 std::string location(const std::filesystem::path& file, const toml::node& node);

@@ -5,8 +5,8 @@
 
 namespace {
 
-// How many letters must be inserted, deleted or replaced to make b of a. One row of the usual table:
-// row[j] is the distance of the letters of a read so far to the first j of b.
+// How many letters must be inserted, deleted or replaced to make b of a. One row of the usual
+// table: row[j] is the distance of the letters of a read so far to the first j of b.
 size_t distance(std::string_view a, std::string_view b) {
   std::vector<size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), size_t(0));
@@ -33,5 +33,12 @@ std::string valid_names(std::string_view given, const Names& valid) {
     text = "did you mean \"" + *nearest + "\"? ";
   text += "Valid are ";
   for (const std::string& name : valid) text += (&name == &valid[0] ? "" : ", ") + name;
+  return text;
+}
+
+std::string choices(const Names& valid) {
+  std::string text = valid[0];
+  for (size_t i = 1; i < valid.size(); ++i)
+    text += (i + 1 < valid.size() ? ", " : " or ") + valid[i];
   return text;
 }

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "text/bad_input.h"
+#include "text/whole_file.h"
 
 namespace {
 
@@ -15,31 +16,12 @@ std::string reason() {
   return errno ? std::strerror(errno) : "the system gives no reason";
 }
 
-// close() hands the last bytes to the system, so a full disk may show only there.
-bool written(const std::filesystem::path& path, std::string_view text) {
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file.write(text.data(), std::streamsize(text.size()));
-  file.close();
-  return !file.fail();
-}
-
 }  // namespace
 
 void write_text(const std::filesystem::path& path, std::string_view text) {
-  const std::filesystem::path part = path.string() + ".part";
-  std::string why;
-  if (written(part, text)) {
-    std::error_code error;
-    std::filesystem::rename(part, path, error);
-    if (!error) return;
-    why = error.message();
-  } else {
-    why = reason();
-  }
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  throw std::runtime_error("cannot write " + path.string() + ": " + why);
+  WholeFile file(path);
+  file.write(text);
+  file.finish();
 }
 
 std::string no_file(const std::filesystem::path& path) {

@@ -1,14 +1,13 @@
-// Text files that are there whole or not at all.
+// Text files, and the numbers in them.
 #pragma once
 #include <filesystem>
 #include <string>
 #include <string_view>
 
-// Written to "<path>.part" and renamed, so that a run that breaks off leaves no half file. Throws
-// std::runtime_error with the path and the system's reason, and then leaves no .part either.
+// Whole or not at all: throws CannotWrite (whole_file.h).
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-// Why there is no file to read at the path, "" where there is one.
+// Why no file can be read at the path; "" where one can.
 std::string no_file(const std::filesystem::path& path);
 
 // The whole file. Throws BadInput where it is missing, a directory or unreadable.
@@ -17,8 +16,9 @@ std::string read_text(const std::filesystem::path& path);
 // Appends 17 significant digits: enough to tell any two doubles apart.
 void append_number(std::string& text, double number);
 
-// Takes one number from the front of `text` and the blanks before it. False, and nothing taken, where
-// there is none; "nan" and "inf" are none. Exact: reading what append_number wrote gives the same bits.
+// Takes one number from the front of `text` and the blanks before it. False, and nothing taken,
+// where there is none; "nan" and "inf" are none. Exact: reading what append_number wrote gives the
+// same bits.
 bool take_number(std::string_view& text, double& number);
 
 // Takes one line from the front of `text`, without its end. False at the end of the text.

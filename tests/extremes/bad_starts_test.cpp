@@ -43,12 +43,6 @@ double distance(const VecX& x, int a, int b) {
   return (x.segment<3>(3 * a) - x.segment<3>(3 * b)).norm();
 }
 
-double lowest(const VecX& x) {
-  double y = x[1];
-  for (Eigen::Index i = 1; i < x.size(); i += 3) y = std::min(y, x[i]);
-  return y;
-}
-
 // Where a thread has no length its direction is zero, not 0/0; its neighbours pull it open.
 TEST(BadStart, CollapsedThreadsHaveFiniteForcesAndRegainTheirLength) {
   for (const MakeScene make : {coincident, collapsed}) {

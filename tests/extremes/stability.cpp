@@ -52,7 +52,7 @@ void look(const TestScene& scene, const State& state, double E_start, double sca
 }
 
 Verdict judge(const Cell& cell, MapScene kind) {
-  if (!(cell.stretch <= 1000 && cell.last <= 20)) return Verdict::exploded;
+  if (!(cell.stretch <= exploded_stretch && cell.last <= 20)) return Verdict::exploded;
   if (kind == MapScene::strip && cell.height <= buckled) return Verdict::frozen;
   if (cell.capped > 0) return Verdict::capped;
   return cell.gain > 1e-3 ? Verdict::gains : Verdict::stable;
@@ -107,7 +107,7 @@ Cell watch_cell(const MapWay& map, MapScene kind, double h, double k, const Watc
   const int steps = steps_of(map, kind, h, watch), every = is_explicit(map) ? 20 : 1;
   const int after = 60;  // steps for which a strip is watched when it has buckled
   Cell cell;
-  for (int left = steps; left > 0 && cell.stretch <= 1000; --left) {
+  for (int left = steps; left > 0 && cell.stretch <= exploded_stretch; --left) {
     simulator->step(h, state);
     ++cell.steps;
     if (cell.steps % every != 0 && left > 1) continue;

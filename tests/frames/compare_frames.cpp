@@ -1,5 +1,5 @@
 // compare_frames a.png b.png [--diff d.png] [--exact]
-// Exit code 0: the same picture (with --exact, to the last bit); 1: not; 2: they cannot be compared.
+// Exit code 0: the same picture (with --exact, to the last bit); 1: different; 2: not comparable.
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -40,7 +40,7 @@ std::optional<std::string> value_of(const std::string& key, const PngText& text)
   return std::nullopt;
 }
 
-// Says first that two pictures were made differently: that explains most differences.
+// First prints how the two pictures were made, if that differs: it explains most differences.
 void print_differing_keys(const PngText& a, const PngText& b) {
   for (const auto& [key, value] : a) {
     const std::string other = value_of(key, b).value_or("(absent)");

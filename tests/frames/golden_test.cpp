@@ -1,5 +1,4 @@
-// The default run of each program draws the picture that stands beside it, frame.png: the one that
-// its README shows.
+// The default run of each program draws the frame.png beside it, the picture that its README shows.
 #include <cstdio>
 
 #include "picture/compare.h"

@@ -7,7 +7,7 @@ namespace png_test {
 
 namespace fs = std::filesystem;
 
-// An empty directory that is gone after the test.
+// An empty directory that is removed after the test.
 struct Directory {
   fs::path path;
   Directory() {

@@ -1,4 +1,5 @@
-// What cannot be drawn is refused before anything is drawn, with the numbers in the message.
+// A scene that cannot be drawn is refused before anything is drawn, with the numbers in the
+// message.
 #include <gtest/gtest.h>
 #include <limits>
 #include <string>

@@ -81,7 +81,7 @@ TEST(Renderer, PinIsHiddenBehindTheCloth) {
   EXPECT_EQ(compare(drawn(scene), drawn(without)).above0, 0);
   scene.stage.eye.z() *= -1;
   without.stage.eye.z() *= -1;
-  EXPECT_GT(compare(drawn(scene), drawn(without)).above8, 10) << "from its own side it is seen";
+  EXPECT_GT(compare(drawn(scene), drawn(without)).above8, 10) << "it is visible from its own side";
 }
 
 TEST(Renderer, CastsASoftShadowOnTheFloor) {

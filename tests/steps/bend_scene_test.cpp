@@ -15,8 +15,8 @@ std::string with_mesh(const std::string& bend) {
   return "[cloth]\nmesh = \"m.obj\"\ndensity = 0.2\n[time]\nh = 0.001\nend = 1.0\n[bend]\n" + bend;
 }
 
-// A unit square, folded by a right angle about its diagonal from (1, 0) to (0, 1): the corner (1, 1)
-// has gone to the back, so that θ is π/2.
+// A unit square, folded by a right angle about its diagonal from (1, 0) to (0, 1): the corner (1,
+// 1) points to the back, so that θ is π/2.
 const std::string folded_square =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.5 0.5 -0.70710678118654752\n"
     "vt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\n";
@@ -82,7 +82,7 @@ TEST_F(BendScene, WithoutTheTableNothingBends) {
     EXPECT_FALSE(c.hinges.acts() || c.quadratic_hinges.acts() || c.bend_springs.acts());
   }
   EXPECT_EQ(left_out.triangles.term<StretchTerm>()->kd, 2)
-      << "only the damping of [bend] goes with it";
+      << "of all damping, only that of [bend] is gone";
 }
 
 // math/hinge.h says what k each model needs for a modulus.

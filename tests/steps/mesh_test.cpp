@@ -1,4 +1,4 @@
-// Meshes: grids, OBJ files with seams, what is refused, masses, and files that come back bit for bit.
+// Meshes: grids, OBJ files with seams, refusals, masses, and files that are read back bit for bit.
 #include <cstring>
 #include <set>
 
@@ -226,13 +226,13 @@ TEST_F(MeshTest, ASliverIsRefusedByItsShapeAndNotByItsSize) {
   EXPECT_FALSE(has_area({Vec2(0, 0), Vec2(0, 0), Vec2(0, 0)}));
 }
 
-// Garments with seams, for trying only: beside the source tree of whoever has them.
+// Garments with seams. They lie beside the source tree; without them these tests are skipped.
 class Garment : public SceneFiles, public testing::WithParamInterface<const char*> {};
 
 TEST_P(Garment, HasTheMassOfItsPatternAndComesBackToTheLastDigit) {
   const std::filesystem::path path =
       std::filesystem::path(__FILE__).parent_path() / "../../../shared/meshes" / GetParam();
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " does not exist";
   const Mesh mesh = read_obj(path);
   double area = 0;
   std::set<std::array<double, 3>> places;

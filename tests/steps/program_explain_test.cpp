@@ -1,4 +1,4 @@
-// --explain says what is so: what it prints is found again in runs of the same program.
+// The numbers that --explain prints are those of runs of the same program.
 #include <cmath>
 #include <regex>
 
@@ -24,7 +24,7 @@ double number(const std::string& page, const std::string& pattern) {
   return std::stod(found(page, pattern));
 }
 
-// As the page says a length.
+// A length as the page prints it.
 std::string length(double m) {
   char text[32];
   std::snprintf(text, sizeof text, m < 1 ? "%.3g mm" : "%.3g m", m < 1 ? 1000 * m : m);
@@ -54,7 +54,7 @@ class Explain : public ProgramTest {
     const VecX x = positions("a", a, both), y = positions("b", b, both);
     return (x - y).norm() / std::sqrt(double(x.size()) / 3);
   }
-  // Small, and with an h at which the error can be told.
+  // Small, and with an h at which the error can be estimated.
   Arguments square(const Arguments& more = {}) const {
     Arguments arguments = small_square(6, {"--h", GetParam().is_explicit() ? "0.0005" : "0.002"});
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -77,7 +77,7 @@ TEST_P(Explain, IsOneScreenAndWritesNothing) {
       EXPECT_FALSE(line.ends_with(' ')) << line;
     }
     for (const char* section :
-         {"A step costs", "What sets h", "The error of h", "What could be left out", "So"})
+         {"A step costs", "What sets h", "The error of h", "What could be left out", "Advice"})
       EXPECT_NE(outcome.out.find("\n" + std::string(section)), std::string::npos) << section;
   }
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
@@ -92,8 +92,8 @@ TEST_P(Explain, NamesNoTermThatIsNotThere) {
 
 TEST_P(Explain, ErrorOfHIsThatToAFineH) {
   const std::string said = page(square({"--end", "0.3"}));
-  const std::string time = found(said, R"(t = (\S+) s: [0-9.]+ mm, .*order seen)");
-  const double error = number(said, R"(t = \S+ s: (\S+) mm, .*order seen)") / 1000;
+  const std::string time = found(said, R"(t = (\S+) s: [0-9.]+ mm, .*observed order)");
+  const double error = number(said, R"(t = \S+ s: (\S+) mm, .*observed order)") / 1000;
   const Arguments fine = {"--h", GetParam().is_explicit() ? "0.000025" : "0.0001"};
   Arguments finely = small_square(6, fine);
   const double measured = distance(square(), finely, {"--end", time}) * 20 / 19;
@@ -103,7 +103,7 @@ TEST_P(Explain, ErrorOfHIsThatToAFineH) {
 
 TEST_P(Explain, WhatIsLeftOutMovesTheClothAsFarAsItSays) {
   const Arguments arguments = square({"--end", "0.1"});
-  const std::string said = page(arguments), time = found(said, R"(by t = (\S+) s\n)");
+  const std::string said = page(arguments), time = found(said, R"(until t = (\S+) s\n)");
   int compared = 0;
   for (const std::string table : {"gravity", "stretch", "shear", "damping"}) {
     std::smatch row;
@@ -131,7 +131,7 @@ TEST_P(ExplainExplicit, SaysTheCriticalStepOfARun) {
   EXPECT_NE(page(arguments).find("    " + line + "\n"), std::string::npos) << line;
 }
 
-// Without a term the step may be longer, by what a run without it says.
+// The longest stable step without a term is that of a run without the term.
 TEST_P(ExplainExplicit, SaysTheCriticalStepWithoutATerm) {
   const std::string said = page(square({"--end", "0.02"}));
   for (const std::string table : {"stretch", "shear"})
@@ -140,10 +140,10 @@ TEST_P(ExplainExplicit, SaysTheCriticalStepWithoutATerm) {
                     R"(h_crit = (\S+) s)"));
 }
 
-// An implicit step would also have to know where its elements lie in the matrix.
+// Only of explicit steps: an implicit step also stores where its elements lie in the matrix.
 TEST_P(ExplainExplicit, CountsTheBytesOfItsTriangles) {
   const std::string said = page(square({"--end", "0.02"}));
-  EXPECT_EQ(number(said, R"(triangles .* (\d+) B  what stretch)"), 72 * sizeof(Triangle));
+  EXPECT_EQ(number(said, R"(triangles .* (\d+) B  shared by stretch)"), 72 * sizeof(Triangle));
 }
 
 TEST_P(ExplainIterative, CountsTheIterationsOfARun) {
@@ -175,7 +175,7 @@ class ExplainBend : public ProgramDirectory {
   const StepProgram step05 = program_called("step05_bend");
 };
 
-// A damping that has no option of its own: its line is taken out of the scene.
+// No option leaves out the damping of one term alone: the second scene has no line for it.
 TEST_F(ExplainBend, BendingAndTheDampingOfOneTermMoveTheClothAsFarAsItSays) {
   write("scene.toml", damped_and_bending);
   std::string undamped = damped_and_bending;
@@ -184,7 +184,7 @@ TEST_F(ExplainBend, BendingAndTheDampingOfOneTermMoveTheClothAsFarAsItSays) {
   const Outcome explained = run(step05, {"scene.toml", "--explain"});
   EXPECT_EQ(explained.code, 0);
   const std::string& said = explained.out;
-  const std::string time = found(said, R"(by t = (\S+) s\n)");
+  const std::string time = found(said, R"(until t = (\S+) s\n)");
   const VecX as_is = final_of("scene.toml", {"--end", time});
   const auto moved = [&](const VecX& x) {
     return length((x - as_is).norm() / std::sqrt(double(x.size()) / 3));

@@ -11,7 +11,7 @@ namespace program_options_test {
 
 class OptionsTest : public ProgramTest {
  protected:
-  // A short run of the square metre on few cells, in a directory of its own.
+  // Runs the square metre on few cells for a short time, in a directory of its own.
   std::filesystem::path results(const std::string& out, int cells, const Arguments& more) const {
     Arguments arguments = small_square(cells, {"--end", "0.05", "--out", out});
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -135,14 +135,14 @@ TEST_P(OptionsTest, WithoutATermItsColumnIsGone) {
   EXPECT_EQ(log.count("stretch"), 1u);
 }
 
-TEST_P(OptionsTest, EachLookDrawsAnotherPictureOfTheAskedSize) {
-  const std::vector<Arguments> looks = {
+TEST_P(OptionsTest, EachStyleDrawsAnotherPictureOfTheGivenSize) {
+  const std::vector<Arguments> styles = {
       {}, {"--strain", "0.1"}, {"--wireframe"}, {"--caption"}, {"--strain", "0.01"}};
   std::vector<Image> frames, stills;
-  for (size_t look = 0; look < looks.size(); ++look) {
+  for (size_t style = 0; style < styles.size(); ++style) {
     Arguments arguments = {"--frames", "2", "--size", "160x90"};
-    arguments.insert(arguments.end(), looks[look].begin(), looks[look].end());
-    const std::filesystem::path out = results("look" + std::to_string(look), 8, arguments);
+    arguments.insert(arguments.end(), styles[style].begin(), styles[style].end());
+    const std::filesystem::path out = results("style" + std::to_string(style), 8, arguments);
     EXPECT_TRUE(exists(out / "film.png"));
     frames.push_back(read_png(out / "frame_0002.png"));
     stills.push_back(read_png(out / "still.png"));
@@ -155,7 +155,7 @@ TEST_P(OptionsTest, EachLookDrawsAnotherPictureOfTheAskedSize) {
       EXPECT_EQ(pictures[a].height, 90);
       for (size_t b = 0; b < a; ++b)
         EXPECT_TRUE(left_part(pictures[a]) != left_part(pictures[b]))
-            << "looks " << b << " and " << a;
+            << "styles " << b << " and " << a;
     }
 }
 

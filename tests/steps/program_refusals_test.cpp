@@ -28,7 +28,7 @@ struct BadInputCase {
   std::string name;
   std::string scene;  // none: no scene.toml is written
   Arguments arguments = {};
-  std::vector<std::string> says;  // what the line must hold
+  std::vector<std::string> says;  // parts of the line
   std::string mesh = {};          // none: no mesh.obj is written
 };
 void PrintTo(const BadInputCase& bad, std::ostream* out) {
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, BadInputTest,
                          testing::Combine(testing::ValuesIn(programs()), testing::ValuesIn(cases)),
                          bad_name);
 
-// Else the cases above could be refused for another reason than theirs.
+// Otherwise the cases above could be refused for another reason than their own.
 TEST_P(ProgramTest, AcceptsTheSceneThatTheBadOnesAreMadeFrom) {
   write("scene.toml", scene);
   expect_done({"scene.toml", "--no-pictures"});

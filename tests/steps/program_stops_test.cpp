@@ -1,4 +1,4 @@
-// A run that does not come to its end: full disk, explosion, Ctrl-C. What it wrote until then stays.
+// Runs that end early: full disk, explosion, Ctrl-C. The files written until then stay.
 #include <cmath>
 #include <csignal>
 #include <regex>
@@ -10,7 +10,7 @@
 
 namespace program_stops_test {
 
-// What the program says about its longest stable step.
+// The longest stable step that the program prints.
 double critical_step_of(const std::string& output) {
   std::smatch match;
   if (!std::regex_search(output, match, std::regex("h_crit = ([0-9.e-]+) s"))) return 0;
@@ -30,7 +30,7 @@ std::string text_of(double number) {
 
 class StopsTest : public ProgramTest {
  protected:
-  // A run whose files may not grow beyond `bytes` breaks off at the first that does.
+  // No file may grow beyond `bytes`: the run breaks off at the first file that would.
   void expect_full_disk(long bytes, const std::string& file, const Arguments& more) const {
     SCOPED_TRACE(file);
     std::filesystem::remove_all(directory / "out");
@@ -58,7 +58,7 @@ TEST_P(StopsTest, FullDiskIsNamedWithFileAndReasonAndLeavesNoPartOfIt) {
   expect_full_disk(1500, "final.obj", {"--frames", "2", "--no-pictures"});
 }
 
-// Where not even the header of log.csv fits, nothing has started.
+// Where not even one byte can be written, the run does not start.
 TEST_P(StopsTest, DiskThatIsFullFromTheStartIsRefused) {
   const Outcome full = run(small_square(8, {"--out", "out"}), 0);
   EXPECT_NE(full.code, 0);
@@ -106,7 +106,7 @@ TEST_P(ExplosionTest, BeyondTheStableStepItBreaksOffAndSaysWhatToTry) {
   }
   EXPECT_TRUE(exists(directory / "out/film.png"));
   EXPECT_EQ(count_starting(files, "", ".part"), 0);
-  EXPECT_EQ(count_starting(files, "final", ""), 0) << "there is no last state to go on from";
+  EXPECT_EQ(count_starting(files, "final", ""), 0) << "an exploded state is not worth continuing";
 
   EXPECT_NEAR(try_h, 0.8 * h_crit, 0.05 * h_crit);
   Arguments advised = with_h(try_h, "advised");
@@ -135,7 +135,7 @@ TEST_P(StopsTest, CtrlCFinishesTheLogTheFilmAndTheLastState) {
     EXPECT_EQ(size_t(count_starting(files, "frame_", ".png")), frames);
     for (size_t frame = 0; frame < frames; ++frame)
       EXPECT_NEAR(log.at("time")[frame], 1000.0 / 9999 * double(frame), 0.006)
-          << "no frame is cut short";
+          << "every frame stands at its own time";
     EXPECT_TRUE(exists(directory / "out/film.png"));
     EXPECT_EQ(read_obj(directory / "out/final.obj").vertices(), 1681);
     EXPECT_EQ(read_velocities(directory / "out/final_velocities.csv", 1681).size(), 3 * 1681);

@@ -1,5 +1,5 @@
-// A garment whose seams give a vertex several places in the rest shape. It lies beside the project,
-// not in it; without it these tests are skipped.
+// A garment whose seams give a vertex several places in the rest shape. The file lies beside the
+// project; without it these tests are skipped.
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -11,7 +11,7 @@ namespace program_tshirt_test {
 const std::filesystem::path shirt =
     std::filesystem::path(SOURCE_DIRECTORY) / "../shared/meshes/tshirt.obj";
 
-// Read here once more, without the project's own reader.
+// Read here without the project's own reader.
 struct Shirt {
   std::vector<std::array<double, 3>> v;
   std::vector<std::array<double, 2>> vt;
@@ -82,7 +82,8 @@ std::array<int, 2> shoulders(const Shirt& s) {
   return highest;
 }
 
-// Turned so that y is up; as a rest shape its own triangles in space.
+// Turned so that y is up; without texture coordinates, so that its triangles in space are the rest
+// shape.
 std::string upright_without_uv(const Shirt& s) {
   std::ostringstream out;
   out.precision(17);
@@ -100,11 +101,11 @@ std::string scene(const std::string& mesh, const std::string& more) {
 class ShirtTest : public ProgramTest {
  protected:
   void SetUp() override {
-    if (!exists(shirt)) GTEST_SKIP() << shirt << " is not there";
+    if (!exists(shirt)) GTEST_SKIP() << shirt << " does not exist";
   }
 };
 
-// A corner that took its vertex' first texture coordinate would change both numbers.
+// If a corner took the first texture coordinate of its vertex, both numbers would change.
 TEST_P(ShirtTest, TakesItsRestShapeFromTheTextureCoordinatesOfEachCorner) {
   const Fit fit = fit_of(read_shirt());
   write("scene.toml",

@@ -1,4 +1,4 @@
-// Everything that a scene is refused for: one line with the file, the line, and what would be valid.
+// Every refusal of a scene: one line with the file, the line, and what would be valid.
 #include <algorithm>
 #include <limits>
 
@@ -44,7 +44,7 @@ TEST_F(SceneRefusals, AnUnknownTableIsNamedWithTheValidOnesAndTheNearest) {
   const std::string far = refusal(scene + "[wind]\nk = 1", "step01");
   expect_says(far, {"scene.toml:9: ", "[wind]", "Valid are cloth"});
   EXPECT_EQ(far.find("did you mean"), far.npos);
-  EXPECT_EQ(far.find("damping"), far.npos) << "step01 does not teach it";
+  EXPECT_EQ(far.find("damping"), far.npos) << "step01 does not teach damping";
 }
 
 TEST_F(SceneRefusals, AnUnknownKeyIsNamedWithTheValidOnesAndTheNearest) {
@@ -242,7 +242,7 @@ TEST_F(SceneRefusals, OtherCellsHaveNoPinsOfTheseNumbers) {
       expect_says(with_cells(pin, cells),
                   {"scene.toml:6: --cells " + std::to_string(cells) + ": pin 4 is the number of a ",
                    "named corners and edges"});
-    EXPECT_EQ(with_cells(pin, 2), "accepted") << "these are its own";
+    EXPECT_EQ(with_cells(pin, 2), "accepted") << "these are the cells of the scene";
   }
   EXPECT_EQ(with_cells("{vertex = 'bottom', fix = 'x'}", 5), "accepted");
 }

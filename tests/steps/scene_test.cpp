@@ -1,4 +1,5 @@
-// What a scene means: its defaults, its tables, how the cloth starts, and what the command line changes.
+// Reading a scene: its defaults, its tables, the start of the cloth, and the changes of the command
+// line.
 #include "scene/velocities.h"
 #include "support/scene_files.h"
 
@@ -169,7 +170,7 @@ TEST_F(SceneTest, PinsFixTheAxesOfTheirLettersAndLeaveTheOthersFree) {
   EXPECT_EQ(free_of(", fix = \"zx\""), diagonal(0, 1, 0));
   EXPECT_EQ(free_of(", fix = \"yz\""), diagonal(1, 0, 0));
   EXPECT_EQ(free_of(", fix = \"zyx\""), diagonal(0, 0, 0));
-  EXPECT_EQ(free_of(""), diagonal(0, 0, 0)) << "all are held where nothing is said";
+  EXPECT_EQ(free_of(""), diagonal(0, 0, 0)) << "without fix all directions are held";
 }
 
 TEST_F(SceneTest, PinsFixOneDirectionWhateverItsLength) {
@@ -204,7 +205,7 @@ TEST_F(SceneTest, PinsOfAnEdgeShareWhatItsTableSays) {
     EXPECT_EQ(pin.S, diagonal(1, 0, 0));
     EXPECT_EQ(pin.velocity, Vec3(0, 0.5, -0.25));
     EXPECT_EQ(scene.start.v.segment<3>(9 * row), Vec3(1, 0.5, -0.25))
-        << "it starts as it is held, and moves freely along x";
+        << "it starts with the velocity of its pin, and moves freely along x";
   }
   EXPECT_EQ(scene.cloth.pins[3].vertex, 8);
   EXPECT_TRUE(scene.cloth.pins[3].holds_all());
@@ -220,7 +221,7 @@ TEST_F(SceneTest, PinsMoveAlongTheDirectionThatTheyFix) {
   EXPECT_LT((pin("[0.1, 0.2, 0.2]").velocity - Vec3(0.1, 0.2, 0.2)).norm(), 1e-15);
   const Pin rounded = pin("[0.1, 0.2, 0.2000001]");
   EXPECT_LT((rounded.velocity - Vec3(0.1, 0.2, 0.2)).norm(), 1e-6);
-  EXPECT_LT((rounded.S * rounded.velocity).norm(), 1e-15) << "the rest is taken out";
+  EXPECT_LT((rounded.S * rounded.velocity).norm(), 1e-15) << "the free part is removed";
 }
 
 TEST_F(SceneTest, PinsNamedTwiceWithTheSameAreOne) {

@@ -16,7 +16,7 @@
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double patience = 600;  // s, for a run under sanitizers on a busy machine
+constexpr double longest_run = 600;  // s, for a run under sanitizers on a busy machine
 
 double seconds_until(Clock::time_point end) {
   return std::chrono::duration<double>(end - Clock::now()).count();
@@ -171,7 +171,7 @@ ProgramDirectory::~ProgramDirectory() {
 
 Outcome ProgramDirectory::run(const StepProgram& program, const Arguments& arguments,
                               std::optional<long> largest_file) const {
-  return Running(program.path, arguments, directory, largest_file).wait(patience);
+  return Running(program.path, arguments, directory, largest_file).wait(longest_run);
 }
 
 std::filesystem::path ProgramDirectory::write(const std::string& name,

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// A program of the list in tests/steps/CMakeLists.txt.
+// One of the five programs.
 struct StepProgram {
   std::string name;  // step01_explicit
   std::filesystem::path path;
@@ -20,8 +20,8 @@ struct StepProgram {
   bool is_iterative() const { return number() >= 4; }
   std::filesystem::path scene() const;  // its own scene.toml
 
-  // A square metre of 40 × 40 cells that falls, hung by two corners: its own scene, or where that is
-  // another one, squares/…/scene.toml here.
+  // A square metre of 40 × 40 cells that falls, hung by two corners: the program's own scene, or,
+  // where that is another one, tests/steps/squares/…/scene.toml.
   std::filesystem::path square() const;
 };
 inline void PrintTo(const StepProgram& program, std::ostream* out) {
@@ -35,16 +35,16 @@ StepProgram program_called(const std::string& name);
 std::string name_of(const testing::TestParamInfo<StepProgram>& info);
 
 struct Outcome {
-  int code = -1;  // −1: killed by a signal, or by us after too long a time
+  int code = -1;  // −1: killed by a signal, or by the test after too long a time
   std::string out, err;
 };
 
 using Arguments = std::vector<std::string>;
 
-// A program that is running; killed where the test leaves it.
+// A running program; it is killed if the test ends before it.
 class Running {
  public:
-  // No file may grow beyond `largest_file` bytes: how a full disk is played without being root.
+  // No file may grow beyond `largest_file` bytes: this imitates a full disk without being root.
   Running(const std::filesystem::path& program, const Arguments& arguments,
           const std::filesystem::path& directory, std::optional<long> largest_file = {});
   ~Running();

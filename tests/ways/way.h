@@ -1,11 +1,11 @@
 // Every way that the five steps offer to move a cloth, behind one interface: for programs that compare
 // them. The steps' own time_step.h does the work, compiled once, in ways.cpp.
 #pragma once
-#include <array>
 #include <memory>
 
 #include "math/cloth.h"
 #include "math/method.h"
+#include "scene/step_names.h"
 
 struct Way {
   int step = 1;        // 1 … 5
@@ -13,8 +13,7 @@ struct Way {
 };
 
 inline const char* program_of(int step) {
-  return std::array{"step01_explicit", "step02_damping", "step03_implicit", "step04_cg",
-                    "step05_bend"}[size_t(step - 1)];
+  return step_names()[step - 1].c_str();
 }
 
 // What a simulation has cost so far. All of it is counted where it happens, the same on every machine.

@@ -1,0 +1,106 @@
+#include "program/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "text/text.h"
+
+namespace {
+
+// Another method that may not explode, where the method can be to blame.
+std::string other_method(const Options& options) {
+  const Method& method = options.method;
+  if (method.jacobian == Jacobian::bw98) return "--jacobian definite, or ";
+  if (method.newton == 1) return "--newton 20, or ";
+  return options.concepts.iterative ? "a smaller --tolerance, or " : "";
+}
+
+void warn(const std::string& words) {
+  std::printf("  warning: %s\n", words.c_str());
+}
+
+}  // namespace
+
+void Report::start() const {
+  std::printf("%s: %s, %d vertices, %zu triangles, h = %g s, %ld steps to t = %g s\n",
+              options.program.c_str(), scene.file.string().c_str(), scene.cloth.vertices(),
+              scene.mesh.faces.size(), scene.time.h, scene.time.steps(), scene.time.end);
+}
+
+void Report::critical_step(double h_crit) const {
+  const double h = scene.time.h;
+  if (std::isinf(h_crit)) {
+    std::printf("  every h is stable: there is no elastic force\n");
+    return;
+  }
+  std::printf("  stable below h_crit = %.4g s; h is %.2f of it\n", h_crit, h / h_crit);
+  if (h > 0.9 * h_crit)
+    std::fprintf(stderr, "warning: h = %g s is beyond 0.9 h_crit: the cloth %s; try --h %.2g\n", h,
+                 h > h_crit ? "will explode" : "may become unstable", 0.8 * h_crit);
+  std::fflush(stdout);
+}
+
+std::string Report::explosion(const RunTotals& run, const std::string& seen) const {
+  std::string words = text("the cloth exploded in step %ld (t = %.6g s): ", run.steps,
+                           double(run.steps) * scene.time.h) +
+                      seen;
+  if (run.counts.indefinite > 0)
+    words += ", after " +
+             count(run.counts.indefinite, options.concepts.iterative ? "system" : "step") +
+             " whose matrix was not positive definite";
+  return words + "; " + advice(run);
+}
+
+std::string Report::advice(const RunTotals& run) const {
+  const double h = scene.time.h, h_crit = run.h_crit;
+  if (h_crit == 0) return "try " + other_method(options) + text("a smaller h than %g s", h);
+  return text("h = %g s is %.2f of the stable step: try --h %.2g, a smaller k or fewer cells", h,
+              h / h_crit, h > h_crit ? 0.8 * h_crit : std::min(0.8 * h_crit, 0.5 * h));
+}
+
+void Report::end(const RunTotals& run, const Watch& watch, const State& state,
+                 bool interrupted) const {
+  std::printf(
+      "%s: %ld steps in %.3g s (%.3g ms each), largest stretch %.4f, energy %.4g J at the "
+      "start, %.4g J at the end\n",
+      interrupted ? "stopped" : "done", run.steps, run.seconds,
+      1000 * run.seconds / double(std::max(run.steps, 1L)), watch.most_stretch, watch.start.total(),
+      energies(scene.cloth, state).total());
+  iterations(run);
+  warnings(run, watch);
+  std::printf("  see %s\n", (options.out / (options.pictures ? "film.png" : "log.csv")).c_str());
+  if (interrupted)
+    std::printf("  final.obj and final_velocities.csv hold the cloth at t = %.6g s\n",
+                double(run.steps) * scene.time.h);
+}
+
+void Report::iterations(const RunTotals& run) const {
+  if (!options.concepts.iterative) return;
+  std::printf("  %.1f iterations of conjugate gradients per %s (%s, tolerance %g)\n",
+              double(run.counts.iterations) / double(std::max(run.steps, 1L)),
+              options.method.newton == 1 ? "system" : "step", options.method.preconditioner.c_str(),
+              options.method.tolerance);
+}
+
+// Counts that do not end a run but make its result doubtful.
+void Report::warnings(const RunTotals& run, const Watch& watch) const {
+  const Counters& counts = run.counts;
+  const bool iterative = options.concepts.iterative;
+  if (watch.gained > 0)
+    warn(text("the cloth had up to %.3g J more than at the start, %.2g times %s", watch.most_gained,
+              watch.most_gained / watch.scale.joule,
+              watch.scale.is_weight_times_size ? "weight × size" : "that energy"));
+  if (counts.indefinite > 0 && iterative)
+    warn("conjugate gradients met pᵀAp ≤ 0, or not a number, and stopped early in " +
+         count(counts.indefinite, "system"));
+  if (counts.indefinite > 0 && !iterative)
+    warn("the matrix was not positive definite in " + count(counts.indefinite, "step"));
+  if (counts.capped > 0)
+    warn("conjugate gradients stopped at " + count(options.method.max_iterations, "iteration") +
+         " in " + count(counts.capped, "system") +
+         ": the cloth moves as if it were stiffer; raise --max-iterations or take another "
+         "--preconditioner");
+  if (counts.unconverged > 0)
+    warn("Newton did not converge in " + count(counts.unconverged, "step"));
+}
