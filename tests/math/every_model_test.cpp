@@ -1,38 +1,11 @@
 // What every model owes, asked of every term of the lists (math/cloth.h): from C to its derivatives, to
 // forces, to matrices, to the energy that damping takes.
 #include "math/energy.h"
-#include "step05_bend/time_step.h"
-#include "support/dense.h"
+#include "support/assembly.h"
 #include "support/differences.h"
 #include "support/every_term.h"
 
-namespace {
-
-// Forces and matrices as the steps assemble them. Step 5 has every family.
-class Assembly {
- public:
-  explicit Assembly(const TermSample& sample, Jacobian jacobian = Jacobian::definite)
-      : cloth(sample.cloth), system(cloth, {.jacobian = jacobian}) {}
-
-  // At rest unless v is given.
-  VecX f(const VecX& x, const VecX& v) {
-    step05::forces(cloth, {x, v}, system);
-    return system.f;
-  }
-  VecX f(const VecX& x) { return f(x, VecX::Zero(x.size())); }
-  MatX K(const VecX& x) {
-    f(x);
-    return dense(system.K);
-  }
-  MatX D(const VecX& x) {
-    f(x);
-    return dense(system.D);
-  }
-
- private:
-  const Cloth& cloth;
-  step05::System system;
-};
+namespace every_model_test {
 
 VecX one_number(double value) {
   return VecX::Constant(1, value);
@@ -45,7 +18,7 @@ double lowest_over_highest(const MatX& symmetric) {
 
 // The places of the vertices have 16 digits: how much of a force is rounding, N, …
 double rounding(const TermSample& s) {
-  return 1e-14 * (s.x.norm() + 2) * Assembly(s, Jacobian::bw98).K(s.x).norm();
+  return 1e-14 * (s.x.norm() + 2) * Assembly(s.cloth, Jacobian::bw98).K(s.x).norm();
 }
 // … and which part of a gradient.
 double relative_rounding(const TermSample& s) {
@@ -117,7 +90,7 @@ TEST_P(EveryModel, AConditionSaysThatItIsConvexWhereItsSecondDerivativeIsNeverNe
 
 TEST_P(EveryModel, ForceIsTheFallingSlopeOfTheEnergy) {
   for_each_sample(4, 10, [](const TermSample& s) {
-    Assembly steps(s);
+    Assembly steps(s.cloth);
     EXPECT_TRUE(is_slope([&](const VecX& x) { return one_number(potential_energy(s.cloth, x)); },
                          [&](const VecX& x) -> MatX { return -steps.f(x).transpose(); }, s.x,
                          s.length));
@@ -126,7 +99,7 @@ TEST_P(EveryModel, ForceIsTheFallingSlopeOfTheEnergy) {
 
 TEST_P(EveryModel, KIsTheSlopeOfTheForce) {
   for_each_sample(5, 10, [](const TermSample& s) {
-    Assembly steps(s, Jacobian::bw98);
+    Assembly steps(s.cloth, Jacobian::bw98);
     EXPECT_TRUE(is_slope([&](const VecX& x) { return steps.f(x); },
                          [&](const VecX& x) { return steps.K(x); }, s.x, s.length));
   });
@@ -137,7 +110,7 @@ TEST_P(EveryModel, KIsTheSlopeOfTheForce) {
 TEST_P(EveryModel, ForcesAddUpToNothing) {
   double largest = 0;
   for_each_sample(6, 20, [&](const TermSample& s) {
-    const VecX f = Assembly(s).f(s.x);
+    const VecX f = Assembly(s.cloth).f(s.x);
     EXPECT_LE(sum(f).norm(), 1e-14 * f.norm() + rounding(s));
     largest = std::max(largest, f.norm());
   });
@@ -147,7 +120,7 @@ TEST_P(EveryModel, ForcesAddUpToNothing) {
 TEST_P(EveryModel, AMoveChangesNothing) {
   Random random(7);
   for_each_sample(8, 20, [&](const TermSample& s) {
-    Assembly steps(s);
+    Assembly steps(s.cloth);
     const VecX there = moved(s.x, Mat3::Identity(), random.vector(3, 1)), f = steps.f(s.x);
     const double E = potential_energy(s.cloth, s.x), slack = 1e-13 * f.norm() + rounding(s);
     EXPECT_NEAR(potential_energy(s.cloth, there), E, 1e-13 * E + slack * (s.x.norm() + 2));
@@ -160,7 +133,7 @@ TEST_P(EveryModel, ARotationChangesNoEnergyAndTurnsTheForces) {
   Random random(9);
   bool energy = false, forces = false, torques = false;
   for_each_sample(10, 20, [&](const TermSample& s) {
-    Assembly steps(s);
+    Assembly steps(s.cloth);
     const Mat3 R = random.rotation();
     const VecX there = moved(s.x, R, Vec3::Zero()), f = steps.f(s.x);
     const double E = potential_energy(s.cloth, s.x), slack = 1e-13 * f.norm() + rounding(s);
@@ -178,7 +151,7 @@ TEST_P(EveryModel, ARotationChangesNoEnergyAndTurnsTheForces) {
 
 TEST_P(EveryModel, TheDefiniteMatrixHasNoNegativeEigenvalue) {
   for_each_sample(9, 500, [](const TermSample& s) {
-    Assembly steps(s);
+    Assembly steps(s.cloth);
     EXPECT_GE(lowest_over_highest(-steps.K(s.x)), -1e-12);
     EXPECT_GE(lowest_over_highest(-steps.D(s.x)), -1e-12);
   });
@@ -192,7 +165,7 @@ TEST_P(EveryModel, TheMatrixOfBaraffAndWitkinIsIndefiniteSomewhere) {
   for_each_sample(10, 20, [&](const TermSample& s) {
     for (const DenseCondition& c : dense_conditions(s.cloth, s.x))
       curved = curved || !c.H.isZero(0);
-    lowest = std::min(lowest, lowest_over_highest(-Assembly(s, Jacobian::bw98).K(s.x)));
+    lowest = std::min(lowest, lowest_over_highest(-Assembly(s.cloth, Jacobian::bw98).K(s.x)));
   });
   EXPECT_EQ(curved, lowest < -1e-6) << "lowest eigenvalue over highest: " << lowest;
 }
@@ -203,8 +176,8 @@ TEST_P(EveryModel, TheMatrixOfBaraffAndWitkinIsIndefiniteSomewhere) {
 TEST_P(EveryModel, DampingTakesThePowerThatTheRatesSay) {
   Random random(11);
   for_each_sample(12, 20, [&](const TermSample& s) {
-    Assembly steps(s);
-    const VecX v = random.vector(int(s.x.size()), 2), d = steps.f(s.x, v) - steps.f(s.x);
+    Assembly steps(s.cloth);
+    const VecX v = random.vector(int(s.x.size()), 2), d = steps.damping(s.x, v);
     double power = 0, scale = 0;
     for (const DenseCondition& c : dense_conditions(s.cloth, s.x)) {
       power -= c.term.kd * std::pow(c.g.dot(v), 2);
@@ -218,11 +191,11 @@ TEST_P(EveryModel, DampingTakesThePowerThatTheRatesSay) {
 TEST_P(EveryModel, DampingAddsUpToNothingAndResistsNoMove) {
   Random random(13);
   for_each_sample(14, 20, [&](const TermSample& s) {
-    Assembly steps(s);
+    Assembly steps(s.cloth);
     const VecX v = random.vector(int(s.x.size()), 2), f = steps.f(s.x);
     const VecX drift = Vec3(random.vector(3, 2)).replicate(s.x.size() / 3, 1);
     const double slack = relative_rounding(s) * steps.D(s.x).norm() * v.norm() + 1e-14 * f.norm();
-    EXPECT_LE(sum(steps.f(s.x, v) - f).norm(), slack);
+    EXPECT_LE(sum(steps.damping(s.x, v)).norm(), slack);
     EXPECT_LE((steps.f(s.x, v + drift) - steps.f(s.x, v)).norm(), slack);
   });
 }
@@ -232,7 +205,7 @@ TEST_P(EveryModel, DampingHasNoTorqueAndResistsNoRotation) {
   Random random(15);
   bool torques = false, resists = false;
   for_each_sample(16, 20, [&](const TermSample& s) {
-    Assembly steps(s);
+    Assembly steps(s.cloth);
     const Vec3 spin = random.vector(3, 2);
     const VecX v = random.vector(int(s.x.size()), 2), f = steps.f(s.x);
     VecX turning(v.size());
@@ -240,8 +213,8 @@ TEST_P(EveryModel, DampingHasNoTorqueAndResistsNoRotation) {
       turning.segment<3>(i) = spin.cross(Vec3(s.x.segment<3>(i)));
     const double slack =
         relative_rounding(s) * steps.D(s.x).norm() * (v.norm() + turning.norm()) + 1e-14 * f.norm();
-    torques |= torque(s.x, steps.f(s.x, v) - f).norm() > slack * (s.x.norm() + 2);
-    resists |= (steps.f(s.x, turning) - f).norm() > slack;
+    torques |= torque(s.x, steps.damping(s.x, v)).norm() > slack * (s.x.norm() + 2);
+    resists |= steps.damping(s.x, turning).norm() > slack;
   });
   EXPECT_EQ(torques, rotation() != Rotation::free);
   EXPECT_EQ(resists, rotation() != Rotation::free);
@@ -250,8 +223,8 @@ TEST_P(EveryModel, DampingHasNoTorqueAndResistsNoRotation) {
 TEST_P(EveryModel, DIsTheSlopeOfTheDampingForce) {
   Random random(17);
   for_each_sample(18, 10, [&](const TermSample& s) {
-    Assembly steps(s);
-    const VecX v = random.vector(int(s.x.size()), 2), f = steps.f(s.x), d = steps.f(s.x, v) - f;
+    Assembly steps(s.cloth);
+    const VecX v = random.vector(int(s.x.size()), 2), f = steps.f(s.x), d = steps.damping(s.x, v);
     const MatX D = steps.D(s.x);
     EXPECT_LE((d - D * v).norm(), relative_rounding(s) * D.norm() * v.norm() + 1e-14 * f.norm());
   });
@@ -264,11 +237,11 @@ TEST_P(EveryModel, AtAPointThereIsNoForceAndAllIsFinite) {
   for_each_sample(19, 2, [](const TermSample& s) {
     const VecX x = Vec3(3, -2, 5).replicate(s.x.size() / 3, 1);
     EXPECT_TRUE(std::isfinite(potential_energy(s.cloth, x)));
-    EXPECT_EQ(Assembly(s).f(x), VecX::Zero(x.size()).eval());
-    EXPECT_TRUE(Assembly(s).K(x).allFinite());
-    EXPECT_TRUE(Assembly(s, Jacobian::bw98).K(x).allFinite());
-    EXPECT_TRUE(Assembly(s).D(x).allFinite());
-    EXPECT_GE(lowest_over_highest(-Assembly(s).K(x)), -1e-12);
+    EXPECT_EQ(Assembly(s.cloth).f(x), VecX::Zero(x.size()).eval());
+    EXPECT_TRUE(Assembly(s.cloth).K(x).allFinite());
+    EXPECT_TRUE(Assembly(s.cloth, Jacobian::bw98).K(x).allFinite());
+    EXPECT_TRUE(Assembly(s.cloth).D(x).allFinite());
+    EXPECT_GE(lowest_over_highest(-Assembly(s.cloth).K(x)), -1e-12);
   });
 }
 
@@ -290,4 +263,4 @@ TEST(Differences, HaveOrderTwoAndFindASmallWrongTerm) {
       f, [&](const VecX& at) -> MatX { return right(at) * std::nan(""); }, x, 1));
 }
 
-}  // namespace
+}  // namespace every_model_test
