@@ -24,12 +24,17 @@ struct Units {
 };
 inline constexpr Units newton_per_metre = {"N/m", "N·s/m"}, newton_metre = {"N·m", "N·m·s"};
 
+// What it costs to rotate an element as a rigid body. `damped`: no energy, but damping resists, as the
+// conditions turn into each other. `stored`: energy, as in small-strain elasticity.
+enum class Rotation { free, damped, stored };
+
 struct TermInfo {
   std::string_view table;       // of scene.toml, and the column of log.csv
   std::string_view model = {};  // the value of the key model, where a table offers several
   int first_step = 1;  // the first step that teaches the table; 0 where no scene can name it
   Units units = newton_per_metre;
   bool rests_flat = false;  // cannot rest as a mesh lies in space
+  Rotation rotation = Rotation::free;
 };
 
 // Where a term stands in a family: empty where the scene does not name it.

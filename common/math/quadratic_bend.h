@@ -59,14 +59,16 @@ struct Flatness : Condition<1> {
   Mats<1> second() const { return zero_matrices<1>(); }
 };
 
-// [bend] model = "quadratic"
+// [bend] model = "quadratic". Its energy ignores rotations, but its damping does not: where a folded
+// hinge turns, y turns with it, and each of the three conditions changes.
 struct QuadraticBend : Term {
   using Term::Term;
   static constexpr TermInfo info = {.table = "bend",
                                     .model = "quadratic",
                                     .first_step = 5,
                                     .units = newton_metre,
-                                    .rests_flat = true};
+                                    .rests_flat = true,
+                                    .rotation = Rotation::damped};
   static double k_of_modulus(double B) { return B / 3; }
 
   template <class Act>

@@ -21,7 +21,8 @@ INSTANTIATE_TEST_SUITE_P(Parts, LeftOut,
                                          Part{"damping", "run_without_damping"},
                                          Part{"stretch.kd", "run_without_damping", true},
                                          Part{"shear.kd", "run_without_damping", true},
-                                         Part{"bend.kd", "run_without_damping", true}),
+                                         Part{"bend.kd", "run_without_damping", true},
+                                         Part{"toy", "run_full", false, "run_toy"}),
                          [](const auto& test) {
                            std::string name = test.param.name;
                            if (const size_t dot = name.find('.'); dot != std::string::npos)
@@ -47,8 +48,8 @@ TEST_P(LeftOut, CostsNothing) {
   const Part& part = GetParam();
   for (const Way& way : ways(part)) {
     SCOPED_TRACE(way.name);
-    const Outcome absent = run("run_full", without(part, way));
-    expect_same_place(way, absent, run("run_full", with_zero(part, way)));
+    const Outcome absent = run(part.full, without(part, way));
+    expect_same_place(way, absent, run(part.full, with_zero(part, way)));
 
     Outcome built_without = run(part.program, without(part, way));
     EXPECT_TRUE(absent.moves_like(built_without)) << distance(absent, built_without) << " m";
@@ -57,7 +58,7 @@ TEST_P(LeftOut, CostsNothing) {
     EXPECT_EQ(absent.counts, built_without.counts);
 
     // There is something to leave out, and the program that was built without it does not know it.
-    const Outcome present = run("run_full", with(part, way));
+    const Outcome present = run(part.full, with(part, way));
     EXPECT_GT(distance(present, absent), 1e-6);
     EXPECT_LT(distance(present, absent), 10) << "exploded";
     EXPECT_GT(distance(present, run(part.program, with(part, way))), 1e-6);

@@ -54,10 +54,14 @@ bool Part::has(const std::string& argument) const {
   return argument == of || argument.starts_with(of + ".");
 }
 
+// Also where only the program of step 5 has its code.
+bool Part::only_in_step_5() const {
+  return has("toy") || (has("bend.kd") && !has("stretch.kd"));
+}
+
 std::vector<Way> ways(const Part& part) {
   std::vector<Way> teaching = all_ways();
-  if (part.has("bend.kd") && !part.has("stretch.kd"))
-    std::erase_if(teaching, [](const Way& way) { return way.step() < 5; });
+  if (part.only_in_step_5()) std::erase_if(teaching, [](const Way& way) { return way.step() < 5; });
   return teaching;
 }
 
@@ -65,6 +69,7 @@ Scene with(const Part& part, const Way& way) {
   Scene scene = {{"cells", "8"},         {"gravity", "9.81"}, {"stretch", "1000"},
                  {"stretch.kd", "0.02"}, {"shear", "500"},    {"shear.kd", "0.01"}};
   if (way.step() == 5) scene = more(scene, {{"bend", "0.0001"}, {"bend.kd", "0.000002"}});
+  if (part.has("toy")) scene = more(scene, {{"toy", "30"}, {"toy.kd", "0.01"}});
   if (part.only_damping)
     std::erase_if(scene, [&](const auto& argument) {
       return argument.first.ends_with(".kd") && !part.has(argument.first);

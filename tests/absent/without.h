@@ -11,11 +11,13 @@ using Scene = std::map<std::string, std::string>;
 
 // A part of a scene that can be left out: gravity, a term with its damping, or damping alone.
 struct Part {
-  const char* name;           // stretch; stretch.kd is its damping, damping that of all terms
-  const char* program;        // built without its code
-  bool only_damping = false;  // the scene has no damping but this
+  const char* name;               // stretch; stretch.kd is its damping, damping that of all terms
+  const char* program;            // built without its code
+  bool only_damping = false;      // the scene has no damping but this
+  const char* full = "run_full";  // built with its code
 
   bool has(const std::string& argument) const;
+  bool only_in_step_5() const;
 };
 
 // A way to take a step. Where it is not exact, its operations depend on where the matrix has blocks.

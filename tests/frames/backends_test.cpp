@@ -25,4 +25,9 @@ TEST(Backends, OsMesaAndEglDrawTheSame) {
   EXPECT_EQ(osmesa.size(), 3u * 320 * 180 * 3);
   EXPECT_TRUE(osmesa == egl) << "the pictures differ";
 #endif
+
+namespace backends_test {
+
 }
+
+}  // namespace backends_test

@@ -1,5 +1,7 @@
-// The four models of bending: forces and energies, folds beyond a full one, what a collapsed flap does,
+// The four models of bending: folds beyond a full one, what a collapsed flap does,
 // and what each model is known for.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
 
@@ -7,25 +9,12 @@
 #include "scene/mesh_edges.h"
 #include "step03_implicit/time_step.h"
 #include "support/dense.h"
-#include "support/differences.h"
 #include "support/folds.h"
 
 namespace bend_models_test {
 
 constexpr double k = 3;  // N·m
 
-VecX one_number(double value) {
-  return VecX::Constant(1, value);
-}
-
-Vec2 in_plane(const Vec3& p) {
-  return p.head<2>();
-}
-QuadraticHinge quadratic(const FlatHinge& flat_hinge) {
-  const Vecs<4> p = flat_hinge.folded(0);
-  return make_quadratic_hinge({0, 1, 2, 3}, {in_plane(p[0]), in_plane(p[1]), in_plane(p[2])},
-                              {in_plane(p[3]), in_plane(p[2]), in_plane(p[1])});
-}
 QuadraticHinges one_quadratic(const FlatHinge& flat_hinge) {
   QuadraticHinges hinges;
   hinges.elements = {quadratic(flat_hinge)};
@@ -33,56 +22,9 @@ QuadraticHinges one_quadratic(const FlatHinge& flat_hinge) {
   return hinges;
 }
 
-// Of a hinge whose edge is 1 long.
-double two_areas(const FlatHinge& hinge) {
-  return hinge.height0 + hinge.height1;
-}
-double bridson_shape(const FlatHinge& hinge) {
-  return 1 / two_areas(hinge);
-}
-
 constexpr FlatHinge plain = {0.8, 0.4, 0.6, 0.7};
 
-template <class Family>
-testing::AssertionResult force_is_the_falling_slope(const Family& family, const FoldCase& fold) {
-  return is_slope([&](const VecX& x) { return one_number(energy(family, x)); },
-                  [&](const VecX& x) -> MatX { return -family_forces(family, x).transpose(); },
-                  fold.x, fold.length);
-}
-
 // Forces -----------------------------------------------------------------------------------------
-
-TEST(Bend, ForceIsTheFallingSlopeOfTheEnergy) {
-  for (const FoldCase& fold : all_folds(41)) {
-    for (const double away : {0.3, -1.2})  // from the angle at rest
-      for (const BendModel model : {BendModel::dihedral, BendModel::bridson}) {
-        const Hinge hinge =
-            hinge_near(fold.theta, fold.theta - away, bridson_shape(fold.flat_hinge));
-        EXPECT_TRUE(force_is_the_falling_slope(one_hinge(hinge, k, model), fold))
-            << fold.name << ", model " << int(model);
-      }
-    if (std::abs(fold.theta) > 0.01) {
-      EXPECT_TRUE(force_is_the_falling_slope(one_quadratic(fold.flat_hinge), fold)) << fold.name;
-    }
-  }
-}
-
-TEST(Bend, SecondDerivativeOfBridsonsConditionIsTheSlopeOfItsGradient) {
-  for (const FoldCase& fold : all_folds(42)) {
-    const Hinge hinge = hinge_near(fold.theta, 0.4, bridson_shape(fold.flat_hinge));
-    EXPECT_TRUE(is_slope([&](const VecX& x) { return flat(Bridson(hinge, points(x)).dCdy); },
-                         [&](const VecX& x) -> MatX {
-                           const Mats<4> second = Bridson(hinge, points(x)).second();
-                           MatX all(12, 12);
-                           for (int i = 0; i < 4; ++i)
-                             for (int j = 0; j < 4; ++j)
-                               all.block<3, 3>(3 * i, 3 * j) = second[i][j];
-                           return all;
-                         },
-                         fold.x, fold.length))
-        << fold.name;
-  }
-}
 
 TEST(Bend, P3LiftedIsPushedBack) {
   VecX x = flat(plain.folded(-0.1));
@@ -90,24 +32,6 @@ TEST(Bend, P3LiftedIsPushedBack) {
   for (const BendModel model : {BendModel::dihedral, BendModel::bridson})
     EXPECT_LT(family_forces(one_hinge(hinge_near(0, 0, 1), k, model), x)[11], 0);
   EXPECT_LT(family_forces(one_quadratic(plain), x)[11], 0);
-}
-
-// No net force, no net torque: linear and quadratic models alike.
-TEST(Bend, ForcesOfAHingeMoveAndTurnNothing) {
-  for (const FoldCase& fold : all_folds(43)) {
-    const auto expect_balance = [&](const VecX& f) {
-      Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-      for (int i = 0; i < 12; i += 3) {
-        force += f.segment<3>(i);
-        torque += (fold.x.segment<3>(i) - fold.x.head<3>()).cross(f.segment<3>(i));
-      }
-      const double rounding = 1e-14 / fold.length * f.norm() * (fold.x.norm() + 1);
-      EXPECT_LE(force.norm(), rounding) << fold.name;
-      EXPECT_LE(torque.norm(), rounding) << fold.name;
-    };
-    expect_balance(family_forces(one_hinge(hinge_near(fold.theta, 0.2), k), fold.x));
-    expect_balance(family_forces(one_quadratic(fold.flat_hinge), fold.x));
-  }
 }
 
 // A full fold and beyond -------------------------------------------------------------------------
@@ -299,17 +223,6 @@ TEST(Bend, TheStepsAssembleForceAndMatricesOfAHinge) {
       EXPECT_LT(relative(found.D, -kd * g * g.transpose()), 1e-12);
     }
   } while (std::next_permutation(order.begin(), order.end()));
-}
-
-TEST(Bend, DampingDoesNotNoticeARigidMotion) {
-  Random random(48);
-  for (const FoldCase& fold : all_folds(49)) {
-    const Vec3 spin = random.vector(3, 5), drift = random.vector(3, 5);
-    VecX v(12);
-    for (int i = 0; i < 12; i += 3) v.segment<3>(i) = drift + spin.cross(fold.x.segment<3>(i));
-    const VecX g = flat(angle_gradient(make_fold(points(fold.x))));
-    EXPECT_LT(std::abs(g.dot(v)), 1e-14 / fold.length * g.norm() * v.norm()) << fold.name;
-  }
 }
 
 // Bridson's forces -------------------------------------------------------------------------------

@@ -128,4 +128,28 @@ TEST(Material, StretchOnAGridIsSpringsOnTheGridLines) {
   }
 }
 
+// A condition reads its own vectors only, and says which.
+TEST(Stretch, ReadsOneThreadAndSaysWhich) {
+  const Triangle t = make_triangle({Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)});
+  const Vecs<2> w = {Vec3(2, 0, 0), Vec3(0, 3, 0)};
+  EXPECT_EQ(Stretch(t, w, 0).first, 0);
+  EXPECT_EQ(Stretch(t, w, 1).first, 1);
+  EXPECT_NEAR(Stretch(t, w, 0).C, std::sqrt(0.5) * 1, 1e-15);
+  EXPECT_NEAR(Stretch(t, w, 1).C, std::sqrt(0.5) * 2, 1e-15);
+}
+
+// The share multiplies the stiffness: E = share k/2 (|y| − L)².
+TEST(Spring, EnergyCountsTheShareAndItPullsTogetherWhenLong) {
+  Random random(7);
+  for (const double share : {1.0, 0.3})
+    for (int i = 0; i < 20; ++i) {
+      const Cloth cloth = one_spring(make_spring(0, 1, 0.8, share), 11);
+      const VecX x = random.vector(6, 1);
+      const double length = (x.head<3>() - x.tail<3>()).norm();
+      EXPECT_NEAR(potential_energy(cloth, x), share * 11 / 2 * std::pow(length - 0.8, 2), 1e-14);
+      const Vec3 towards = x.tail<3>() - x.head<3>();
+      EXPECT_EQ(forces(cloth, x).head<3>().dot(towards) > 0, length > 0.8) << "length " << length;
+    }
+}
+
 }  // namespace material_test

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "math/hinge.h"
+#include "math/quadratic_bend.h"
 #include "support/bend_models.h"
 #include "support/energy.h"
 #include "support/family_forces.h"
@@ -36,6 +37,19 @@ inline VecX flat(const Vecs<4>& p) {
 }
 inline Vecs<4> points(const VecX& x) {
   return {x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9)};
+}
+
+// The rest shape of a flat hinge, as Bridson's and as Bergou's model have it.
+inline double two_areas(const FlatHinge& hinge) {  // its edge is 1 m long
+  return hinge.height0 + hinge.height1;
+}
+inline double bridson_shape(const FlatHinge& hinge) {
+  return 1 / two_areas(hinge);
+}
+inline QuadraticHinge quadratic(const FlatHinge& hinge) {
+  const Vecs<4> p = hinge.folded(0);
+  const auto uv = [&](int i) -> Vec2 { return p[i].head<2>(); };
+  return make_quadratic_hinge({0, 1, 2, 3}, {uv(0), uv(1), uv(2)}, {uv(3), uv(2), uv(1)});
 }
 
 struct FoldCase {

@@ -12,6 +12,8 @@ class Random {
  public:
   explicit Random(unsigned seed) : generator(seed) {}
 
+  unsigned seed() { return unsigned(generator()); }  // of another one
+
   double between(double low, double high) {
     return low + (high - low) * double(generator()) / double(std::mt19937::max());
   }
