@@ -114,8 +114,9 @@ def critical_step_of_damping():
 
 def price_of_h():
     runs = [("0.0002 (step 2)", Run("step02_damping"))]
-    runs += [(h, Run("step03_implicit", "--h", h))
-             for h in ("0.0025", "0.005", "0.01", "0.0166667", "0.0333", "0.1")]
+    runs += [(h, Run("step03_implicit", "--h", h, "--frames", steps))  # every step is a frame
+             for h, steps in (("0.0025", "400"), ("0.005", "200"), ("0.01", "100"), ("0.0166667", "60"),
+                              ("0.0333", "31"), ("0.1", "10"))]
     rows = []
     for h, run in runs:
         last, highest = run.log[-1], max(run.column("total"))
