@@ -20,7 +20,9 @@ def minus(text):
 
 
 def power(value, digits=1):
-    """3.2e-2 as 3.2·10⁻²."""
+    """0.032 as 3.2·10⁻², and 0.32 as it is."""
+    if 0.1 <= abs(value) < 10:
+        return minus(f"{value:.{digits + 1}g}")
     mantissa, exponent = f"{value:.{digits}e}".split("e")
     return f"{minus(mantissa)}·10{str(int(exponent)).translate(SUPERSCRIPTS)}"
 

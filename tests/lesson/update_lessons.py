@@ -149,10 +149,13 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def in_lesson_notation(number):
-    """-4e+13 becomes −4·10¹³."""
-    mantissa, _, exponent = number.partition("e")
-    power = f"·10{str(int(exponent)).translate(SUPERSCRIPTS)}" if exponent else ""
-    return mantissa.replace("-", "−") + power
+    """-4e+13 becomes −4·10¹³, and 1e-04 becomes 10⁻⁴."""
+    sign = "−" if number.startswith("-") else ""
+    mantissa, _, exponent = number.lstrip("-").partition("e")
+    if not exponent:
+        return sign + mantissa
+    power = f"10{str(int(exponent)).translate(SUPERSCRIPTS)}"
+    return sign + (power if mantissa == "1" else f"{mantissa}·{power}")
 
 
 def number_text(recipe, output):
