@@ -1,4 +1,4 @@
-// Step 3, implicit: a linear system in every step, and steps a hundred times larger.
+// Step 3, implicit: a linear system in every step, and steps fifty times longer.
 //
 // Read time_step.h first: everything that this step teaches stands there.
 #include "explain/explain.h"

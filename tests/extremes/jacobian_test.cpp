@@ -7,12 +7,13 @@
 
 namespace extremes::jacobian_test {
 
-// Not in the first steps: only when the cloth folds, and is compressed and sheared. Measured: 4e13 J,
-// where the default loses energy; the first indefinite matrix is that of step 30.
+// Not in the first steps: only when the cloth folds, and is compressed and sheared. The default loses
+// energy there; the first indefinite matrix is that of step 30.
 TEST(PrintedMatrix, ExplodesAtAnOrdinaryFrameStepAndSaysSo) {
   const TestScene scene = dropped(1e3);
   const Outcome bw98 = watch(scene, 1.0 / 60, 40, {Jacobian::bw98});
-  EXPECT_GT(bw98.gain, 1e3);
+  std::printf("bw98 gains %.1e J\n", bw98.gain);
+  EXPECT_GT(bw98.gain, 1e10);
   EXPECT_GT(bw98.indefinite, 0);
   const Outcome definite = watch(scene, 1.0 / 60, 40);
   EXPECT_LT(definite.gain, 0);
@@ -109,12 +110,13 @@ TEST(ClampedEigenvalues, AreAsGoodAsTheDefaultOnADroppedCloth) {
 }
 
 // A definite matrix is not enough: it may be next to singular where the force is large, and the cloth
-// is thrown farther in every step. Measured: stretched 5e4-fold in three steps, by a matrix that is
-// definite, and beyond 1e70 in ten, when of the sum only rounding is left.
+// is thrown farther in every step, though the matrix is definite. Measured: in ten steps beyond 1e70
+// times its length, when of the sum only rounding is left.
 TEST(ClampedEigenvalues, ThrowATangleToInfinityWhereTheDefaultUntanglesIt) {
   for (double h : {1e-2, 1.0 / 60, 0.1}) {
     const Outcome three = watch_clamped(tangled(1e3), h, 3),
                   ten = watch_clamped(tangled(1e3), h, 10);
+    std::printf("clamped, h = %.4f s: stretched %.1e-fold in 3 steps\n", h, three.last);
     EXPECT_EQ(three.indefinite, 0) << "h = " << h;
     EXPECT_GT(three.last, 1e4) << "h = " << h;
     EXPECT_FALSE(ten.last < 1e9) << "h = " << h;

@@ -103,10 +103,12 @@ TEST(Stability, ForwardEulerExplodesWhereSymplecticEulerKeepsItsEnergy) {
   step01::System system(scene.cloth);
   const Record forward = watch(scene, stepper(scene.cloth, forward_euler, system), h, steps);
   const Record symplectic = watch_step01(scene, h, steps);
+  std::printf("forward Euler: explodes in step %d of %d\n", forward.steps, steps);
+  std::printf("symplectic Euler: %.2f %% of weight times size\n", 100 * symplectic.energy_error);
   EXPECT_TRUE(forward.exploded);
   EXPECT_GT(forward.energy_error, 1e3);
   EXPECT_FALSE(symplectic.exploded);
-  EXPECT_LT(symplectic.energy_error, 2e-3);  // measured: 6e-4
+  EXPECT_LT(symplectic.energy_error, 1e-3);
 }
 
 }  // namespace stability_test

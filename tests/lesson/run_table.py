@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""Prints a table of a lesson: runs a program of a step several times and collects what it says and logs.
+
+    python3 tests/lesson/run_table.py energy_of_h
+
+from the root of the repository; the programs are those of build/release. Without a name: the names.
+"""
+import csv
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def minus(text):
+    return text.replace("-", "−")
+
+
+def power(value, digits=1):
+    """0.032 as 3.2·10⁻², and 0.32 as it is."""
+    if 0.1 <= abs(value) < 10:
+        return minus(f"{value:.{digits + 1}g}")
+    mantissa, exponent = f"{value:.{digits}e}".split("e")
+    return f"{minus(mantissa)}·10{str(int(exponent)).translate(SUPERSCRIPTS)}"
+
+
+def print_table(headings, rows):
+    for cells in (headings, ["---"] * len(headings), *rows):
+        print("|" + "|".join(cells) + "|" if cells[0] == "---" else "| " + " | ".join(cells) + " |")
+
+
+class Run:
+    """One run of a step: its exit code, what it says, and the rows of its log.csv."""
+
+    def __init__(self, step, *options, scene=None):
+        with tempfile.TemporaryDirectory() as out:
+            arguments = [f"build/release/{step}/{step}", "--no-pictures", "--out", out, *options]
+            if scene:
+                path = pathlib.Path(out, "scene.toml")
+                path.write_text(scene, encoding="utf-8")
+                arguments.insert(1, str(path))
+            result = subprocess.run(arguments, text=True, stdout=subprocess.PIPE,
+                                    stderr=subprocess.STDOUT, check=False)
+            if result.returncode not in (0, 1):
+                sys.exit(f"exit code {result.returncode} of {' '.join(arguments)}\n{result.stdout}")
+            self.exploded, self.text = result.returncode == 1, result.stdout
+            log = pathlib.Path(out, "log.csv")
+            with log.open(encoding="utf-8") as file:
+                self.log = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+    def find(self, expression):
+        match = re.search(expression, self.text)
+        return match[1] if match else None
+
+    def column(self, name):
+        return [row[name] for row in self.log]
+
+    def at(self, time):
+        """The frame nearest to a time, s."""
+        return min(self.log, key=lambda row: abs(row["time"] - time))
+
+    def seconds(self):
+        return sum(self.column("milliseconds")) / 1000
+
+
+def scene_of(step, **values):
+    """The scene of a step with other values: stretch_k = 100 is the k of [stretch]."""
+    lines, table = [], ""
+    for line in pathlib.Path(step, "scene.toml").read_text(encoding="utf-8").splitlines():
+        if line.startswith("["):
+            table = line[1:line.index("]")]
+        key = line.split("=")[0].strip()
+        lines.append(f"{key} = {values[f'{table}_{key}']}" if f"{table}_{key}" in values else line)
+    return "\n".join(lines) + "\n"
+
+
+# Step 1 ----------------------------------------------------------------------------------------------
+
+def energy_of_h():
+    rows = []
+    for h in ("2.5e-5", "5e-5", "1e-4", "2e-4"):
+        run = Run("step01_explicit", "--end", "0.8", "--frames", "16", "--h", h)
+        total = run.column("total")
+        change = max(abs(energy - total[0]) for energy in total)
+        rows.append((h, run.find(r"(\d+) steps"), power(change), minus(f"{run.at(0.25)['lowest']:.6f}")))
+    print_table(("h (s)", "steps", "largest change of the total energy (J)", "lowest point at 0.25 s (m)"), rows)
+
+
+# Step 2 ----------------------------------------------------------------------------------------------
+
+def energies():
+    one, two = Run("step01_explicit"), Run("step02_damping")
+    rows = []
+    for time in (0.25, 0.5, 0.75, 1):
+        kinetic = [f"{run.at(time)['kinetic']:.5f}" for run in (one, two)]
+        total = [minus(f"{run.at(time)['total']:.4f}") for run in (one, two)]
+        rows.append((f"{time:.2f}", *kinetic, *total))
+    print_table(("t (s)", "kinetic, step 1 (J)", "kinetic, step 2 (J)", "total, step 1 (J)", "total, step 2 (J)"),
+                rows)
+
+
+def critical_step_of_damping():
+    rows = []
+    for stretch, shear in ((0, 0), (0.02, 0.01), (0.05, 0.025), (0.07, 0.035), (0.1, 0.05), (0.2, 0.1)):
+        run = Run("step02_damping", scene=scene_of("step02_damping", damping_stretch=stretch, damping_shear=shear))
+        h_crit = float(run.find(r"h_crit = ([\d.e-]+) s"))
+        outcome = f"explodes in step {run.find(r'exploded in step ([0-9]+)')}" if run.exploded else "runs"
+        rows.append((f"{stretch:g}, {shear:g}", f"{h_crit:.3g}", outcome))
+    print_table(("kd of stretch, of shear (N·s/m)", "h_crit (s)", "h = 2e-4 s"), rows)
+
+
+# Step 3 ----------------------------------------------------------------------------------------------
+
+def price_of_h():
+    runs = [("0.0002 (step 2)", Run("step02_damping"))]
+    runs += [(h, Run("step03_implicit", "--h", h, "--frames", steps))  # every step is a frame
+             for h, steps in (("0.0025", "400"), ("0.005", "200"), ("0.01", "100"), ("0.0166667", "60"),
+                              ("0.0333", "31"), ("0.1", "10"))]
+    rows = []
+    for h, run in runs:
+        last, highest = run.log[-1], max(run.column("total"))
+        energy = f"{last['total']:.2g}" if abs(last["total"]) < 100 else f"{last['total']:.0f}"
+        gained = power(highest) if highest > 1e3 else f"{highest:.2f}"
+        rows.append((h, run.find(r"(\d+) steps"), f"{run.seconds():.2g}", minus(energy),
+                     gained if highest > 1e-2 else "none", minus(f"{last['lowest']:.2f}")))
+    print_table(("h (s)", "steps", "seconds", "energy at the end (J)", "highest energy on the way (J)",
+                 "lowest point at the end (m)"), rows)
+
+
+def cost_of_stiffness():
+    rows = []
+    for exponent, h in ((3, "2e-4"), (4, "6.325e-5"), (5, "2e-5"), (6, "6.325e-6")):
+        k = {"stretch_k": 10.0**exponent, "shear_k": 10.0**exponent / 2}
+        explicit = Run("step02_damping", "--h", h, scene=scene_of("step02_damping", **k))
+        implicit = Run("step03_implicit", scene=scene_of("step03_implicit", **k))
+        e = str(exponent).translate(SUPERSCRIPTS), str(exponent - 1).translate(SUPERSCRIPTS)
+        rows.append((f"10{e[0]}, 5·10{e[1]}", explicit.find(r"(\d+) steps"), f"{explicit.seconds():.2g}",
+                     implicit.find(r"(\d+) steps"), f"{implicit.seconds():.2g}"))
+    print_table(("k, k_shear (N/m)", "step 2, explicit: steps", "seconds", "step 3, implicit: steps", "seconds"), rows)
+
+
+# Step 4 ----------------------------------------------------------------------------------------------
+
+def measured_tolerances(*options):
+    with tempfile.TemporaryDirectory() as out:
+        subprocess.run(["build/release/tests/lesson/measure_tolerance", "--out", out, *options],
+                       stdout=subprocess.DEVNULL, check=True)
+        with next(pathlib.Path(out).glob("*.csv")).open(encoding="utf-8") as file:
+            return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+def tolerances():
+    rows = []
+    for row in measured_tolerances():
+        exponent = round(-len(str(int(1 / row["tolerance"] + 0.5))) + 1)
+        name = f"10{str(exponent).translate(SUPERSCRIPTS)}"
+        rows.append((f"**{name}** (default)" if exponent == -4 else name, power(row["error_median"]),
+                     power(row["error_worst"]), f"{row['iterations_median']:.0f}", f"{row['milliseconds']:.1f}",
+                     power(row["position_end"]), power(row["position_worst"])))
+    print_table(("tolerance", "error of Δv, median", "worst", "iterations a step", "ms a step",
+                 "error of position at 1 s", "worst of the run"), rows)
+
+
+def residuals():
+    rows = []
+    for name, options in (("k = 10³", ()), ("k = 10⁶", ("--k", "1e6"))):
+        row = next(row for row in measured_tolerances("--preconditioner", "ic", *options)
+                   if abs(row["tolerance"] - 1e-2) < 1e-9)
+        rows.append((name, *(f"{row[column]:.2g}" for column in
+                             ("residual_median", "residual_worst", "error_median", "error_worst"))))
+    print_table(("", "relative residual, median", "worst", "error of Δv, median", "worst"), rows)
+
+
+TABLES = {function.__name__: function for function in
+          (energy_of_h, energies, critical_step_of_damping, price_of_h, cost_of_stiffness, tolerances, residuals)}
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2 or sys.argv[1] not in TABLES:
+        sys.exit("usage: run_table.py " + "|".join(TABLES))
+    TABLES[sys.argv[1]]()
