@@ -20,6 +20,7 @@ require_tool(g++ "${CMAKE_CXX_COMPILER}${CMAKE_TOOLCHAIN_FILE}$ENV{CXX}" g++ c++
 if(CMAKE_BINARY_DIR MATCHES "\"")
   message(FATAL_ERROR "CMake cannot build in a directory whose path contains a double quote: ${CMAKE_BINARY_DIR}")
 endif()
+
 # The programs, in the order of the lessons.
 set(LARGE_STEPS_PROGRAMS step01_explicit step02_damping step03_implicit step04_cg step05_bend)
 

@@ -1,5 +1,5 @@
-// The cloth as the time steps see it: masses, pins, gravity, and families of elements. Whatever a
-// scene does not name is empty here.
+// The cloth as the time steps see it: masses, pins, gravity, and families of elements. A part that
+// the scene does not name is empty.
 #pragma once
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@
 #include "math/spring.h"
 #include "math/triangle.h"
 
-// Every term that there is, by the elements that it acts on.
+// All terms, by the elements that they act on.
 using Triangles = Family<Triangle, StretchTerm, ShearTerm>;
 using Springs = Family<Spring, SpringTerm>;
 using Hinges = Family<Hinge, DihedralBend, BridsonBend>;
@@ -37,7 +37,7 @@ struct Cloth : Families {
   VecX inverse_mass;            // 1/kg, zero where a pin holds all of the vertex
   std::vector<Pin> pins;        // at most one to a vertex
   std::optional<Vec3> gravity;  // m/s²
-  std::optional<Grid> grid;     // of a cloth that is one
+  std::optional<Grid> grid;     // if the cloth is a grid
 
   int vertices() const { return int(mass.size()) / 3; }
 };
@@ -77,7 +77,7 @@ std::optional<T>& Families::term() {
   return const_cast<std::optional<T>&>(std::as_const(*this).term<T>());
 }
 
-// What every term calls itself, in the order of the lists.
+// The TermInfo of every term, in the order of the lists.
 inline std::vector<TermInfo> term_infos() {
   std::vector<TermInfo> infos;
   const Families none;
@@ -94,7 +94,7 @@ inline int first_step_of(const Cloth& cloth) {
   return step;
 }
 
-// Does any term of the cloth cost energy?
+// True if the damping of any term takes energy.
 inline bool damped(const Cloth& cloth) {
   bool damped = false;
   for_each_term(cloth, [&](const auto& term) { damped = damped || (term && term->kd > 0); });

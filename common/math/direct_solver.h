@@ -33,8 +33,8 @@ class DirectSolver {
  public:
   virtual ~DirectSolver() = default;
 
-  // Solves A Δv = b; false where A is not positive definite (Δv is then what LDLᵀ without pivoting
-  // or the inverse gives; zero where LDLᵀ stops).
+  // Solves A Δv = b. False if A is not positive definite: Δv is then the result of LDLᵀ without
+  // pivoting or of the inverse, or zero where LDLᵀ stops.
   virtual bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) = 0;
 };
 

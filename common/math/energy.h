@@ -1,4 +1,4 @@
-// What a cloth has stored, elastic energy and energy of height, and the elastic force.
+// The potential energy of a cloth, elastic and gravitational, and its elastic forces.
 #pragma once
 #include "math/cloth.h"
 

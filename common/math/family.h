@@ -1,6 +1,6 @@
 // A family: the elements of one shape, and the terms that can act on them.
 //
-// A term is one thing that a scene can model, and one fact in one place: a struct with
+// A term is one effect that a scene can model. One struct holds all that the program knows of it:
 //
 //   struct ShearTerm : Term {                       its stiffness k and its damping kd
 //     using Term::Term;
@@ -24,20 +24,20 @@ struct Units {
 };
 inline constexpr Units newton_per_metre = {"N/m", "N·s/m"}, newton_metre = {"N·m", "N·m·s"};
 
-// What it costs to rotate an element as a rigid body. `damped`: no energy, but damping resists, as the
-// conditions turn into each other. `stored`: energy, as in small-strain elasticity.
+// The cost of rotating an element as a rigid body. `free`: none. `damped`: no energy, but damping
+// resists the rotation. `stored`: energy, as in small-strain elasticity.
 enum class Rotation { free, damped, stored };
 
 struct TermInfo {
   std::string_view table;       // of scene.toml, and the column of log.csv
   std::string_view model = {};  // the value of the key model, where a table offers several
-  int first_step = 1;  // the first step that teaches the table; 0 where no scene can name it
+  int first_step = 1;           // the first step that teaches the table; 0 if no scene can name it
   Units units = newton_per_metre;
-  bool rests_flat = false;  // cannot rest as a mesh lies in space
+  bool rests_flat = false;  // the rest shape is flat even where the mesh is not
   Rotation rotation = Rotation::free;
 };
 
-// Where a term stands in a family: empty where the scene does not name it.
+// The place of a term in a family: empty if the scene does not name the term.
 template <class T>
 struct TermSlot {
   std::optional<T> term;

@@ -1,10 +1,10 @@
 // A hinge in a cloth: the angle θ as a condition, by Baraff & Witkin and by Bridson et al.
 //
-// The k of a model, N·m, that gives a cloth the bending modulus B, N·m: bent to a cylinder of
-// curvature κ it stores B κ²/2 per area. It holds for square cells, vertices that lie on the cylinder,
-// and an axis along the grid. In other directions a cloth is up to three times as stiff, or half; free
-// to relax it is softer, a narrow strip by up to 1/3; and on cells a × b the dihedral model has
-// B = k a/b bent along a.
+// k_of_modulus: the k of a model, N·m, for a cloth of bending modulus B, N·m. Bent to a cylinder of
+// curvature κ, such a cloth stores the energy B κ²/2 per area. The rule holds for square cells, for
+// vertices on the cylinder, and for an axis along the grid. In other directions the cloth is between
+// half and three times as stiff. A cloth that can relax is softer, a narrow strip by up to 1/3. On cells
+// a × b the dihedral model has B = k a/b where it is bent along a.
 #pragma once
 #include <numbers>
 #include <span>
@@ -20,21 +20,20 @@ struct Hinge : VertexElement<4> {
   double theta = 0;       // θ of the last step, which may lie beyond ±π
 };
 
-// θ beyond ±π: of the angles that look alike, a full turn apart, the one next to that of the last
-// step. So a fold that is swept through π neither loses its energy nor turns its force. A fold without
-// an angle keeps the last.
+// θ can grow beyond ±π. Angles that differ by a full turn look alike; θ is the one that is nearest to
+// θ of the last step. So a fold that is swept through π keeps its energy and the sign of its force. A
+// degenerate fold, which has no angle, keeps the last θ.
 inline double angle(const Hinge& hinge, const Fold& fold) {
   if (!has_angle(fold)) return hinge.theta;
   return hinge.theta + std::remainder(angle(fold) - hinge.theta, 2 * std::numbers::pi);
 }
 
-// The hinges remember their folds. To be called with the x that a time step starts from.
+// Every hinge stores its θ. A time step calls this with the x from which it starts.
 inline void follow(std::span<Hinge> hinges, const VecX& x) {
   for (Hinge& hinge : hinges) hinge.theta = angle(hinge, make_fold(gather(hinge, x)));
 }
 
-// θ of a hinge with both derivatives. A fold that has no angle keeps the energy of the last θ and has
-// no force.
+// θ of a hinge with both derivatives. A degenerate fold has the energy of the last θ, and no force.
 struct Angle {
   Angle(const Hinge& hinge, const Vecs<4>& p)
       : fold(make_fold(p)), exists(has_angle(fold)), value(angle(hinge, fold)),
@@ -63,9 +62,10 @@ struct Dihedral : Condition<4> {
 //
 //   C = s sin φ,   ∂C/∂x = s/4 cos φ ∂θ/∂x,   f = −k c sin((θ − θ0)/2) ∂θ/∂x
 //
-// For θ0 = 0 that is their force k c sin(θ/2) u_i, u_i = −∂θ/∂x_i. For others they take
-// sin(θ/2) − sin(θ0/2), which is zero at θ0 as well but there cos(θ0/2) times as stiff. c is
-// frozen at rest; with that of the moment the force would have no energy, and K no symmetry.
+// For θ0 = 0 that is their force k c sin(θ/2) u_i, u_i = −∂θ/∂x_i. For other θ0 they take
+// sin(θ/2) − sin(θ0/2), which is zero at θ0 as well but there cos(θ0/2) times as stiff. c is that of
+// the rest shape: with the current c the force would follow from no energy, and K would not be
+// symmetric.
 struct Bridson : Condition<4> {
   Bridson(const Hinge& hinge, const Vecs<4>& p)
       : theta(hinge, p), phi((theta.value - hinge.rest_angle) / 4), s(std::sqrt(8 * hinge.shape)) {

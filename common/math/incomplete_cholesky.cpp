@@ -23,7 +23,7 @@ void IncompleteCholesky::set(const BlockMatrix& A) {
     pinned.make_regular(U);
     if (factorise()) return;
   }
-  // A is far from definite. With T = I conjugate gradients find that out for themselves.
+  // A is far from definite. With P = I conjugate gradients detect that themselves.
   for (Mat3& block : U.upper) block.setZero();
   for (Mat3& block : inverse) block.setIdentity();
 }

@@ -1,4 +1,4 @@
-// The choices that the implicit steps offer; a step reads those that it has the concept of.
+// The options of the implicit steps. A step reads only the options whose concept it teaches.
 #pragma once
 #include <string>
 #include <vector>

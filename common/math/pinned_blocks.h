@@ -1,4 +1,4 @@
-// What pins make of a matrix, where it has blocks: found once.
+// The effect of pins on the blocks of a matrix. The blocks that it changes are found once.
 #pragma once
 #include "math/block_matrix.h"
 #include "math/pin.h"

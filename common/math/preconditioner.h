@@ -1,6 +1,6 @@
 // Preconditioners for conjugate gradients: s = P⁻¹ r with a symmetric positive definite P that is near
-// A and cheap to divide by. All but Jacobi's, which knows no oblique direction, divide by one where
-// pins hold, so that P⁻¹ maps the directions that the pins leave free onto themselves.
+// A and cheap to divide by. In the directions that a pin holds every P but Jacobi's is one, so that P⁻¹
+// maps the directions that the pins leave free onto themselves. Jacobi's has no oblique directions.
 #pragma once
 #include <memory>
 #include <optional>

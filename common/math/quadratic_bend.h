@@ -3,13 +3,13 @@
 //
 //   y = Σ q_i x_i,   E = k/2 · 3/(A0 + A1) |y|²
 //
-// y is what the Laplacian of the flat hinge makes of the vertices: zero wherever they are an affine
-// image of the flat hinge. Where the flaps keep their shape
+// y is the Laplacian of the flat hinge, applied to the vertices. It is zero where the vertices are an
+// affine image of the flat hinge. Where the flaps keep their shape
 //
 //   E = k 6|e|² sin²(θ/2)/(A0 + A1)
 //
-// which is 3|e|²/(A0 + A1) times k/2 θ² for small folds, and less for sharp ones. Only for rest shapes
-// that are flat, and for cloth that hardly stretches: whatever bends the hinge's own edges in the plane
+// which is 3|e|²/(A0 + A1) times k/2 θ² for small folds, and less for sharp ones. The model is only for
+// flat rest shapes, and for cloth that hardly stretches: a deformation in the plane that is not affine
 // costs energy, too.
 #pragma once
 #include "math/family.h"
@@ -59,8 +59,8 @@ struct Flatness : Condition<1> {
   Mats<1> second() const { return zero_matrices<1>(); }
 };
 
-// [bend] model = "quadratic". Its energy ignores rotations, but its damping does not: where a folded
-// hinge turns, y turns with it, and each of the three conditions changes.
+// [bend] model = "quadratic". A rotation of a folded hinge costs no energy. But it turns y and so changes
+// each of the three conditions, and damping resists it.
 struct QuadraticBend : Term {
   using Term::Term;
   static constexpr TermInfo info = {.table = "bend",

@@ -1,5 +1,5 @@
-// Prints the table of the top README: what a scene still pays for a part that is left out of it, and what
-// it would pay for the part. Counts and bytes are those of 12 × 12 cells, the bytes of a part those of CG with
+// Prints the table of the top README: what a scene still pays for a part that is left out, and what the
+// part would cost. Counts and bytes are those of 12 × 12 cells, the bytes of a part those of CG with
 // blocks. Times are ratios of CPU times on 32 × 32 cells, of step 2 · step 3 with LDLᵀ · step 5 with blocks:
 // medians over rounds in which the programs take turns, so that a busy machine slows them alike.
 #include <algorithm>
@@ -37,15 +37,15 @@ std::string text(const char* format, auto... values) {
   return line.data();
 }
 
-// How far two outcomes are apart, over several ways.
-class Apart {
+// The largest difference between two outcomes, over several configurations.
+class Difference {
  public:
   void add(const Outcome& a, const Outcome& b) {
     same = same && a.moves_like(b);
     farthest = std::max(farthest, distance(a, b));
     ++ways;
   }
-  std::string said() const {
+  std::string to_text() const {
     if (ways == 0) return "–";
     return same ? "the same" : text("%.0e m", farthest);
   }
@@ -57,7 +57,7 @@ class Apart {
 };
 
 struct Motions {
-  Apart zero_exact, zero_close, built_without;
+  Difference zero_exact, zero_close, built_without;
   long more_allocations = 0, more_bytes = 0, other_counts = 0;  // than the program without the code
   long bytes = 0, blocks = 0;  // of the part itself, in CG with blocks
 };
@@ -91,16 +91,16 @@ Motions compare_motions(const Part& part) {
   return motions;
 }
 
-std::string counts_said(const Motions& m) {
+std::string counts_text(const Motions& m) {
   if (m.other_counts > 0) return text("%ld counts differ", m.other_counts);
   if (m.more_allocations == 0 && m.more_bytes == 0) return "the same";
   return text("%+ld allocation, %+ld bytes", m.more_allocations, m.more_bytes);
 }
-std::string term_said(const Motions& m) {
+std::string cost_text(const Motions& m) {
   return text("%+ld bytes", m.bytes) + (m.blocks ? text(", %+ld blocks", m.blocks) : "");
 }
 
-// Of a step without the part, of one in the program without its code, and of one with the part, µs.
+// The times of a step, µs: without the part, in the program built without its code, and with the part.
 struct Times {
   std::vector<double> absent, built_without, present;
 };
@@ -129,15 +129,15 @@ struct Row {
 
 std::string ratios(const Row& row, std::vector<double> Times::*above,
                    std::vector<double> Times::*below) {
-  std::string said;
+  std::string cells;
   for (const char* way : {"explicit", "ldlt", "block"}) {
     const auto found = row.times.find(way);
-    if (!said.empty()) said += " · ";
-    said += found == row.times.end()
-                ? "–"
-                : text("%.2f", median_ratio(found->second.*above, found->second.*below));
+    if (!cells.empty()) cells += " · ";
+    cells += found == row.times.end()
+                 ? "–"
+                 : text("%.2f", median_ratio(found->second.*above, found->second.*below));
   }
-  return said;
+  return cells;
 }
 
 void print(const std::vector<Row>& rows) {
@@ -149,14 +149,14 @@ void print(const std::vector<Row>& rows) {
       "|---|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows)
     std::printf("| %s | %s | %s | %s | %s | %s | %s | %s |\n", title(row.part).c_str(),
-                row.motions.zero_exact.said().c_str(), row.motions.zero_close.said().c_str(),
-                row.motions.built_without.said().c_str(), counts_said(row.motions).c_str(),
+                row.motions.zero_exact.to_text().c_str(), row.motions.zero_close.to_text().c_str(),
+                row.motions.built_without.to_text().c_str(), counts_text(row.motions).c_str(),
                 ratios(row, &Times::absent, &Times::built_without).c_str(),
-                term_said(row.motions).c_str(),
+                cost_text(row.motions).c_str(),
                 ratios(row, &Times::present, &Times::absent).c_str());
 }
 
-// How much is done, and the time left if the rest takes as long.
+// Prints how much is done, and an estimate of the time left.
 class Progress {
  public:
   explicit Progress(size_t all_) : all(all_) {}

@@ -1,5 +1,5 @@
-// What a scene does not name costs nothing: it moves as with stiffness 0, and to the last bit and byte as in
-// a program that was built without the code.
+// What a scene does not name costs nothing: the scene moves as with stiffness 0, and as in a program that
+// was built without the code, to the last bit and byte.
 #include <gtest/gtest.h>
 
 #include "absent/without.h"
@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(Parts, LeftOut,
                            return name;
                          });
 
-// A Newton step keeps one vector that is of use only with damping, D v.
+// A Newton step keeps one vector that only damping needs, D v.
 std::map<std::string, long> known_costs(const Part& part, const Way& way, const Outcome& absent) {
   if (std::string(part.program) != "run_without_damping" || !way.arguments.contains("newton"))
     return {};
@@ -57,7 +57,7 @@ TEST_P(LeftOut, CostsNothing) {
       built_without.counts[count] += more;
     EXPECT_EQ(absent.counts, built_without.counts);
 
-    // There is something to leave out, and the program that was built without it does not know it.
+    // The part matters, and the program that was built without the part ignores it.
     const Outcome present = run(part.full, with(part, way));
     EXPECT_GT(distance(present, absent), 1e-6);
     EXPECT_LT(distance(present, absent), 10) << "exploded";
@@ -65,7 +65,7 @@ TEST_P(LeftOut, CostsNothing) {
   }
 }
 
-// Its hinges, springs and blocks are there as soon as it is named.
+// Once a scene names [bend], it has hinges or springs, and their blocks.
 TEST(BendOfZero, MovesAlikeInEveryModelAndIsNotFree) {
   const Part bend{"bend", "run_without_bend"};
   for (const Way& way : ways(bend)) {

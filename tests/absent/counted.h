@@ -1,6 +1,5 @@
-// Counts every malloc of a program, and its bytes. The linker hands them over: the program is linked with
-// -Wl,--wrap=malloc, and operator new, which the C++ library would serve itself, is led there as well.
-// To be included once in a program.
+// Counts the calls of malloc in a program, and their bytes. The program is linked with -Wl,--wrap=malloc,
+// and the operator new below calls malloc, too. Include it in one file of a program.
 #pragma once
 #include <cstdlib>
 #include <new>
@@ -19,7 +18,7 @@ void* __wrap_malloc(size_t size) {
 }
 }
 
-// Not inlined: g++ would see free() meet the new of the library, and warn.
+// Not inlined: otherwise g++ warns that free() does not match the operator new of the library.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();

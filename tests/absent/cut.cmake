@@ -1,8 +1,8 @@
-# Programs from headers that a piece was cut from. The copies lie in <build>/tests/absent/cut/PROGRAM, which comes
-# before common/ and the top in the include path; whatever is cut must be found, or configuring fails. An
-# edit of the original cuts again.
+# Programs from copies of headers, with a piece of text cut out. The copies lie in
+# <build>/tests/absent/cut/PROGRAM, which comes before common/ and the top in the include path. If the piece is
+# not found, configuring fails. After an edit of the original, CMake cuts again.
 
-# The text of FILE (below common/ or the top, or FROM another one) as PROGRAM has it so far.
+# The text of FILE (below common/ or the top, or FROM another one) with the cuts of PROGRAM so far.
 function(cut_text program file from result)
   get_property(known GLOBAL PROPERTY cut_${program}_${file} SET)
   if(NOT known)
@@ -19,8 +19,8 @@ function(cut_text program file from result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-# cut(PROGRAM FILE text [WITH text] [TIMES n] [FROM file]): takes text out of FILE, where it must stand n
-# times, once if not said, or replaces it.
+# cut(PROGRAM FILE text [WITH text] [TIMES n] [FROM file]): removes the text from FILE, or replaces it. The
+# text must occur n times, by default once.
 function(cut program file piece)
   cmake_parse_arguments(PARSE_ARGV 3 ARG "" "WITH;TIMES;FROM" "")
   if(NOT ARG_TIMES)
@@ -43,7 +43,7 @@ function(cut program file piece)
   set_property(GLOBAL PROPERTY cut_${program}_${file} "${text}")
 endfunction()
 
-# Writes the copies; an equal one keeps its time, so that nothing is compiled again.
+# Writes the copies. A copy that does not change keeps its time, so that nothing is compiled again.
 function(write_cuts program)
   get_property(files GLOBAL PROPERTY cut_${program})
   foreach(file IN LISTS files)

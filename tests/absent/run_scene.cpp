@@ -1,10 +1,10 @@
-// Runs a scene that its arguments describe, and prints all that can be told of the run. It is built once as
-// it is, and once for each term from headers that the term was cut from (CMakeLists.txt).
+// Runs a scene that its arguments describe, and prints counts, time, positions and velocities. It is built
+// once from the headers as they are, and once for each term from headers without the term (CMakeLists.txt).
 //
 //   run_full step=5 method=block steps=40 h=0.01 cells=12 gravity=9.81 stretch=1000 stretch.kd=0.02 bend=0
 //
-// What has no argument is not modelled. A square metre, folded and sheared, is thrown spinning; a corner
-// is held, and from step 4 on another one is pulled, and the middle slides on a rail.
+// A term without an argument is not modelled. The cloth is a square metre that starts folded, sheared and
+// spinning. One corner is held. From step 4 on another corner is pulled, and the middle slides on a rail.
 #include <bit>
 #include <cinttypes>
 #include <cstdio>

@@ -1,6 +1,6 @@
-// A term is one fact in one place: a toy term that is one header and one word in a list (CMakeLists.txt) has
-// all that a term has. This program also runs every_model_test.cpp, with the toy among the models; that the
-// toy costs nothing where no scene names it stands in absent_test.cpp.
+// A term is one fact in one place: the toy term is one header and one name in a list (CMakeLists.txt), and
+// the whole program knows it. This executable also runs every_model_test.cpp on the toy. absent_test.cpp
+// shows that the toy costs nothing in a scene that does not name it.
 #include <algorithm>
 
 #include "explain/parts.h"
@@ -93,7 +93,7 @@ TEST_F(ToyTermTest, HasItsPartsOfThePageOfExplain) {
   EXPECT_EQ(damping.cloth.term<ToyTerm>()->kd, 0);
 }
 
-// every_model_test.cpp asks for its derivatives, momentum, definiteness and damping.
+// every_model_test.cpp tests its derivatives, momentum, definiteness and damping.
 TEST_F(ToyTermTest, IsAmongTheModels) {
   const std::vector<ListedTerm> terms = every_term();
   EXPECT_EQ(std::count_if(terms.begin(), terms.end(),

@@ -1,6 +1,6 @@
-// The damping of one term, taken out when the program is compiled. act() is written once for all terms;
-// handed an Undamped instead of a Term it becomes a function in which kd, and all that is computed only
-// for it, does not exist: k C + kd Ċ is k C, and nothing is subtracted from D.
+// Removes the damping of one term at compile time. act() is a template. With an Undamped instead of a Term
+// it compiles to a function without kd and all that kd needs: k C + kd Ċ is k C, and nothing is subtracted
+// from D.
 #pragma once
 #include "math/condition.h"
 

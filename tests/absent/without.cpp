@@ -54,7 +54,7 @@ bool Part::has(const std::string& argument) const {
   return argument == of || argument.starts_with(of + ".");
 }
 
-// Also where only the program of step 5 has its code.
+// run_toy has only step 5.
 bool Part::only_in_step_5() const {
   return has("toy") || (has("bend.kd") && !has("stretch.kd"));
 }
@@ -83,7 +83,7 @@ Scene without(const Part& part, const Way& way) {
   return scene;
 }
 
-// A term of stiffness 0 that was damped would still be a force.
+// Its damping, too: otherwise a term of stiffness 0 would still exert a force.
 Scene with_zero(const Part& part, const Way& way) {
   Scene scene = with(part, way);
   for (auto& [name, value] : scene)

@@ -1,5 +1,5 @@
-// What is left out of a scene, and what can be told of a run with it, without it, with its stiffness 0, and
-// by a program that was built without its code.
+// The parts of a scene that can be left out, and runs of the scene: with the part, without it, with its
+// stiffness 0, and by a program that was built without its code.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -20,7 +20,7 @@ struct Part {
   bool only_in_step_5() const;
 };
 
-// A way to take a step. Where it is not exact, its operations depend on where the matrix has blocks.
+// How a step is taken. If not `exact`, the order of operations depends on the pattern of the matrix.
 struct Way {
   const char* name;
   Scene arguments;
@@ -34,7 +34,7 @@ Scene with(const Part&, const Way&);
 Scene without(const Part&, const Way&);
 Scene with_zero(const Part&, const Way&);  // k = 0, kd = 0, g = 0
 
-// All that a program tells of a run.
+// The output of a run.
 struct Outcome {
   std::map<std::string, long> counts;
   double microseconds = 0;     // CPU time of a step, median
@@ -46,5 +46,5 @@ struct Outcome {
 // Throws std::runtime_error where the program fails.
 Outcome run(const std::string& program, const Scene&);
 
-// The farthest that a coordinate is from itself, m; infinite where one is not a number.
+// The largest difference of a coordinate, m; infinite where one is not a number.
 double distance(const Outcome&, const Outcome&);

@@ -174,8 +174,33 @@ def residuals():
     print_table(("", "relative residual, median", "worst", "error of Δv, median", "worst"), rows)
 
 
+def whole_step():
+    """Of bench_solve step: iterations and milliseconds of each way to the same error."""
+    text = subprocess.run(["build/release/tests/bench/bench_solve", "step"], text=True, check=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+    ways = re.findall(r"^(step \d, (?:\w+)|triplets, Eigen's CG) +(\S+) +(\d+) +\S+ +(\S+) +\S+$",
+                      text.split("80 x 80")[0], re.M)
+    names = {"step 3, ldlt": "LDLᵀ (step 3)", "step 3, cholmod": "CHOLMOD (step 3)",
+             "triplets, Eigen's CG": "triplets and Eigen's conjugate gradients with its diagonal"}
+    rows = [(names.get(way, f"`{way[8:]}`"), "" if tolerance == "direct" else iterations, f"{float(ms):.0f}")
+            for way, tolerance, iterations, ms in ways]
+    print_table(("method", "iterations", "ms"), rows)
+
+
+def warm_starts():
+    """Of bench_solve warm: iterations in the default scene, begun with z and with the last Δv."""
+    text = subprocess.run(["build/release/tests/bench/bench_solve", "warm"], text=True, check=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+    rows = []
+    for time, preconditioner, numbers in re.findall(r"^default, t = (\S+) s +(\w+) +(.*)$", text, re.M):
+        number = numbers.split()  # 4 pairs at equal error, then cold, warm and two errors at 4 tolerances
+        rows.append((time, f"`{preconditioner}`", f"{number[12]} → {number[13]}", f"{number[20]} → {number[21]}"))
+    print_table(("t (s)", "preconditioner", "tolerance 10⁻²", "tolerance 10⁻⁴"), rows)
+
+
 TABLES = {function.__name__: function for function in
-          (energy_of_h, energies, critical_step_of_damping, price_of_h, cost_of_stiffness, tolerances, residuals)}
+          (energy_of_h, energies, critical_step_of_damping, price_of_h, cost_of_stiffness, tolerances, residuals,
+           whole_step, warm_starts)}
 
 if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] not in TABLES:

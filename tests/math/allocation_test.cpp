@@ -35,11 +35,11 @@ TEST(Allocation, TimeStepOfStep01AllocatesNothing) {
   EXPECT_LT(state.x[10], height) << "nothing was computed";
 }
 
-// The counter counted: both kinds of allocation are seen.
+// The counter works: it sees both kinds of allocation.
 TEST(Allocation, CounterSeesVectorsOfBothKinds) {
   const Cloth cloth = small_cloth();
   EXPECT_GE(allocations_in([&] { step01::System system(cloth); }), 1);
-  std::vector<double> numbers;  // outlives the count, or a compiler may leave the allocation out
+  std::vector<double> numbers;  // lives longer, or a compiler may remove the allocation
   EXPECT_GE(allocations_in([&] { numbers.resize(100); }), 1);
   EXPECT_EQ(numbers.size(), 100u);
 }

@@ -1,4 +1,4 @@
-// Our forces against an oracle that shares no formula with them.
+// Our forces against automatic differentiation, which shares no formula with them.
 #include <gtest/gtest.h>
 
 #include "support/autodiff_energy.h"
@@ -8,7 +8,7 @@
 namespace autodiff_test {
 
 class AutoDiff : public testing::TestWithParam<Pose> {};
-// A collapsed thread is left to the differences: there the guard's ε is part of the energy.
+// Not the collapsed pose, where ε of Length is a part of the energy: every_model_test.cpp has that pose.
 INSTANTIATE_TEST_SUITE_P(Triangle, AutoDiff,
                          testing::Values(Pose::random, Pose::compressed, Pose::sheared,
                                          Pose::inverted),

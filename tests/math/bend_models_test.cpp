@@ -1,5 +1,5 @@
-// The four models of bending: folds beyond a full one, what a collapsed flap does,
-// and what each model is known for.
+// The four models of bending: folds beyond a full one, collapsed flaps, and the properties that each model
+// is known for.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ TEST_P(FullFold, KeepsItsEnergyAndTheSignOfItsForce) {
   });
 }
 
-// The same without a memory: at π the force turns round, and pushes the fold further.
+// Without θ of the last step the force changes its sign at π, and pushes the fold further.
 TEST(Bend, WithoutTheLastAngleAFullFoldFlips) {
   Hinges hinges = one_hinge(hinge_near(0), k);
   EXPECT_LT(push(hinges, pi - 0.01, flat(plain.folded(pi - 0.01))), 0);
@@ -98,7 +98,7 @@ TEST(Bend, AHingeStartsWithinHalfATurn) {
 
 // A flap that is a line ---------------------------------------------------------------------------
 
-// No normal, no angle, no force; and the energy stays that of the last step.
+// Such a fold has no angle: the energy is that of the last step, and the force is zero.
 TEST(Bend, ACollapsedFlapKeepsItsEnergyAndHasNoForce) {
   const Vec3 p0(-1, 0.5, 0), p1(0, 0, 0), p2(0, 1, 0), p3(0.5, 0.5, -0.5);
   for (const Vecs<4>& p : {Vecs<4>{p1, p1, p2, p3},  // P0 on P1
@@ -176,8 +176,8 @@ TEST(Bend, TheFullMatrixOfAUnitCellIsIndefinite) {
   }
 }
 
-// What the steps assemble from the blocks of a family, against the same written out in full. The four
-// vertices are numbered in every order, so that blocks above and below the diagonal are met.
+// The force and matrices that the steps assemble from blocks, against the same in dense matrices. The four
+// vertices are numbered in every order, so that there are blocks above and below the diagonal.
 template <class Family>
 Evaluated assembled(const Family& family, const State& state, Jacobian jacobian) {
   Cloth cloth = bare_cloth(4);
@@ -236,7 +236,7 @@ std::array<Vec3, 4> printed_u(const Vec3& x1, const Vec3& x2, const Vec3& x3, co
           -(x1 - x3).dot(E) / e * n1 - (x2 - x3).dot(E) / e * n2};
 }
 
-// (x1, x2, x3, x4) = (P0, P3, P1, P2): u is −∂θ/∂x.
+// With (x1, x2, x3, x4) = (P0, P3, P1, P2), u is −∂θ/∂x.
 TEST(Bridson, PrintedDirectionsAreTheGradientOfTheAngle) {
   for (const FoldCase& fold : all_folds(50)) {
     const auto [p0, p1, p2, p3] = points(fold.x);
@@ -248,8 +248,8 @@ TEST(Bridson, PrintedDirectionsAreTheGradientOfTheAngle) {
   }
 }
 
-// k c (sin(θ/2) − sin(θ0/2)) u: exactly ours for θ0 = 0, and for others ours times
-// cos((θ + θ0)/4)/cos((θ − θ0)/4). Zero at the same fold and of the same sign up to a full one.
+// k c (sin(θ/2) − sin(θ0/2)) u: exactly our force for θ0 = 0, and for other θ0 our force times
+// cos((θ + θ0)/4)/cos((θ − θ0)/4). Both are zero at the same fold, and have the same sign up to a full fold.
 TEST(Bridson, PrintedForceIsOursUpToAKnownFactor) {
   for (const FoldCase& fold : all_folds(51))
     for (const double rest : {0.0, 0.6, -1.1}) {
@@ -334,7 +334,7 @@ TEST(Quadratic, ForceIsLinear) {
 // Springs ----------------------------------------------------------------------------------------
 
 // Two flaps of height H whose feet coincide: |x03| = 2 H cos(θ/2), and E = k H² θ⁴/32 for small θ.
-// Sixteen times the energy for twice the fold: hardly any resistance to small ones.
+// Twice the fold costs sixteen times the energy: there is hardly any resistance to small folds.
 TEST(BendSprings, EnergyGrowsWithTheFourthPowerOfTheFold) {
   const double H = 0.5;
   const FlatHinge hinge = {H, 0.5, H, 0.5};

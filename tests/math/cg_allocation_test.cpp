@@ -1,7 +1,7 @@
 // A step of conjugate gradients allocates nothing after the first, whatever the preconditioner.
 #include "support/count_allocations.h"  // before Eigen
 
-// Not only linked: Eigen counts in what is compiled here.
+// Compiled here, not linked, because Eigen's check is compiled into the code that it watches.
 #include "math/incomplete_cholesky.cpp"
 #include "math/multigrid.cpp"
 #include "math/pinned_blocks.cpp"

@@ -25,7 +25,7 @@ TEST_P(ModifiedCG, FindsTheMinimumThatThePinsAllow) {
     }
 }
 
-// b = h (f + h K v) and A = M − h D − h² K, whoever solves it.
+// b = h (f + h K v) and A = M − h D − h² K, for every preconditioner.
 TEST_P(ModifiedCG, SystemIsThatOfStep03) {
   const PinnedSheet sheet(134);
   const step04::System system = sheet.step(cg(name, 1e-3));
@@ -36,7 +36,7 @@ TEST_P(ModifiedCG, SystemIsThatOfStep03) {
   EXPECT_LT(relative(system.b, sheet.h * (e.f + sheet.h * e.K * sheet.state.v)), 1e-13);
 }
 
-// However loose the tolerance, and after many steps as after the first.
+// With every tolerance, in the first step and after many.
 TEST_P(ModifiedCG, MeetsWhatThePinsPrescribeToTheLastDigits) {
   const PinnedSheet sheet(135);
   const MatX S = filter_matrix(sheet.cloth);
@@ -76,8 +76,8 @@ TEST_P(ModifiedCG, RemainderLiesInTheHeldDirections) {
   EXPECT_GT(remainder.norm(), 0.1);
 }
 
-// A cloth at rest, hung by its top row, whose inner vertices may slide along it: together the pins
-// bear its weight, that of their own vertices too, and push it nowhere.
+// A cloth at rest hangs by its top row, whose inner vertices may slide along the row. Together the pins
+// bear the weight of all vertices, their own included, and exert no horizontal force.
 TEST_P(ModifiedCG, PinsOfAClothAtRestBearItsWeight) {
   PinnedSheet sheet(138);
   sheet.model.pins = {28, 34};
@@ -124,7 +124,7 @@ TEST_P(ModifiedCG, WithoutForcesNothingIsToBeSolved) {
   EXPECT_EQ(system.counts.iterations + system.counts.capped + system.counts.indefinite, 0);
 }
 
-// Compressed in its plane, the printed matrix is not definite: said, and nothing is spoilt.
+// The printed matrix of a sheet compressed in its plane is not definite: the step counts it and goes on.
 TEST_P(ModifiedCG, AnIndefiniteMatrixIsCounted) {
   PinnedSheet sheet(141);
   sheet.state = {0.7 * sheet.mesh.x, VecX::Zero(sheet.mesh.x.size())};
@@ -165,7 +165,7 @@ TEST_P(ModifiedCG, ASystemThatNeedsMoreIterationsThanAllowedIsCounted) {
   EXPECT_TRUE(stopped.dv.allFinite());
 }
 
-// The first Δv is taken whose rᵀ T r is at most tolerance² Δvᵀ M Δv.
+// The result is the first Δv whose rᵀ P⁻¹ r is at most tolerance² Δvᵀ M Δv.
 TEST_P(ModifiedCG, StopsAsSoonAsTheToleranceSays) {
   const PinnedSheet sheet(144);
   const MatX S = filter_matrix(sheet.cloth);
@@ -197,7 +197,7 @@ TEST_P(ModifiedCG, GivesTheSameBitsAgain) {
   EXPECT_EQ(first.counts.iterations, second.counts.iterations);
 }
 
-// Newton's method with conjugate gradients ends where it ends with a factorisation.
+// Newton's method has the same result with conjugate gradients and with a factorisation.
 TEST_P(ModifiedCG, NewtonFindsTheMinimumOfStep03) {
   PinnedSheet sheet(146);
   sheet.model.pins = {28, 34, 12};
@@ -241,7 +241,7 @@ TEST_P(ModifiedCG, NewtonCarriesMovingPins) {
   EXPECT_LT(residual(state.v), 1e-3 * residual(sheet.state.v));
 }
 
-// T = diag(A), as a literal reading of the paper's P has it, in place of its inverse.
+// P⁻¹ = diag(A), as the paper's P reads literally, in place of its inverse.
 class Multiplies : public Preconditioner {
  public:
   void set(const BlockMatrix& A) override {
@@ -271,7 +271,7 @@ TEST(Jacobi, DividesByTheDiagonal) {
   EXPECT_GT(multiplied, 3 * divided);
 }
 
-// T = −1: rᵀ T r is less than any tolerance asks for, and nothing is solved.
+// P⁻¹ = −1: rᵀ P⁻¹ r is less than every tolerance, and nothing is solved.
 class Negative : public Preconditioner {
  public:
   void set(const BlockMatrix&) override {}

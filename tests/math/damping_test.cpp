@@ -1,4 +1,4 @@
-// Step 2's damping, d = −kd Ċ ∂C/∂x: it resists the change of the conditions and nothing else.
+// Step 2's damping, d = −kd Ċ ∂C/∂x: it resists changes of the conditions, and no other motion.
 #include <gtest/gtest.h>
 
 #include "step01_explicit/time_step.h"
@@ -33,7 +33,7 @@ struct Damping : testing::Test {
   }
 };
 
-// Added to any motion, a rigid one changes nothing.
+// A rigid motion, added to any other motion, changes nothing.
 TEST_F(Damping, DoesNotSeeTheRigidPartOfAMotion) {
   const VecX before = damping(cloth, state);
   state.v += rigid(random.vector(3, 2), random.vector(3, 2));
@@ -48,7 +48,7 @@ TEST_F(Damping, IsTheSumOverTheConditionsOneByOne) {
   EXPECT_LT(relative(damping(cloth, state), expected), 1e-13);
 }
 
-// Without kd step 2 is step 1, to the bit, and how fast the cloth moves is no matter.
+// Without kd the forces of step 2 are those of step 1 to the last bit, at every velocity.
 TEST_F(Damping, IsAbsentWithoutItsTable) {
   for_each_term(cloth, [](auto& term) {
     if (term) term->kd = 0;
@@ -59,7 +59,7 @@ TEST_F(Damping, IsAbsentWithoutItsTable) {
   EXPECT_EQ(forces02(cloth, state), undamped.f);
 }
 
-// Each table has its own coefficient, and none lends it to another.
+// The coefficient of a table acts on the term of that table only.
 TEST_F(Damping, OfEachTermIsItsOwn) {
   VecX sum = VecX::Zero(state.x.size());
   for (int keep = 0; keep < 3; ++keep) {

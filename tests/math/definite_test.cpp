@@ -65,7 +65,7 @@ TEST(Definite, TheMatrixOfBaraffAndWitkinIsNot) {
   }
 }
 
-// It gives away no more than it must: −K lies below the full one nowhere for a stretched thread.
+// The definite matrix is the full matrix of a stretched thread, and only k ∂C ∂Cᵀ of a compressed one.
 TEST(Definite, KeepsAllOfAStretchedThreadAndNothingOfACompressedOne) {
   Cloth cloth;
   cloth.mass = cloth.inverse_mass = VecX::Ones(6);
@@ -82,7 +82,7 @@ TEST(Definite, KeepsAllOfAStretchedThreadAndNothingOfACompressedOne) {
   }
 }
 
-// A whole sheet, crumpled at random: factorised without a pivot that is not positive.
+// A whole sheet, crumpled at random: all eigenvalues of A are positive.
 TEST(Definite, ACrumpledSheetHasAPositiveDefiniteMatrix) {
   Random random(93);
   const Mesh mesh = small_grid();

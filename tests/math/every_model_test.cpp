@@ -1,5 +1,5 @@
-// What every model owes, asked of every term of the lists (math/cloth.h): from C to its derivatives, to
-// forces, to matrices, to the energy that damping takes.
+// The properties of every model, for all terms of the lists (math/cloth.h): derivatives, forces, momentum,
+// rigid motion, the definite matrix, damping.
 #include "math/energy.h"
 #include "support/assembly.h"
 #include "support/differences.h"
@@ -16,11 +16,11 @@ double lowest_over_highest(const MatX& symmetric) {
   return values.minCoeff() / std::max(values.cwiseAbs().maxCoeff(), 1e-300);
 }
 
-// The places of the vertices have 16 digits: how much of a force is rounding, N, …
+// Positions have 16 digits. The rounding error of a force, N, …
 double rounding(const TermSample& s) {
   return 1e-14 * (s.x.norm() + 2) * Assembly(s.cloth, Jacobian::bw98).K(s.x).norm();
 }
-// … and which part of a gradient.
+// … and the relative one of a gradient.
 double relative_rounding(const TermSample& s) {
   return 1e-14 * (s.x.norm() + 2) / std::min(s.length, 1.0);
 }
@@ -128,7 +128,7 @@ TEST_P(EveryModel, AMoveChangesNothing) {
   });
 }
 
-// Unless the model says otherwise; and then it does.
+// TermInfo names the models for which it is not so, and has to be right for every model.
 TEST_P(EveryModel, ARotationChangesNoEnergyAndTurnsTheForces) {
   Random random(9);
   bool energy = false, forces = false, torques = false;
@@ -200,7 +200,7 @@ TEST_P(EveryModel, DampingAddsUpToNothingAndResistsNoMove) {
   });
 }
 
-// Unless the model says otherwise; and then it does.
+// TermInfo names the models for which it is not so, and has to be right for every model.
 TEST_P(EveryModel, DampingHasNoTorqueAndResistsNoRotation) {
   Random random(15);
   bool torques = false, resists = false;
@@ -232,7 +232,7 @@ TEST_P(EveryModel, DIsTheSlopeOfTheDampingForce) {
 
 // A point ----------------------------------------------------------------------------------------
 
-// All vertices in one place: no direction, so no force, and nothing that is not finite.
+// All vertices in one place: there is no direction, so the force is zero, and everything is finite.
 TEST_P(EveryModel, AtAPointThereIsNoForceAndAllIsFinite) {
   for_each_sample(19, 2, [](const TermSample& s) {
     const VecX x = Vec3(3, -2, 5).replicate(s.x.size() / 3, 1);
@@ -248,7 +248,7 @@ TEST_P(EveryModel, AtAPointThereIsNoForceAndAllIsFinite) {
 INSTANTIATE_TEST_SUITE_P(Terms, EveryModel, testing::ValuesIn(every_term()),
                          [](const auto& term) { return term.param.name; });
 
-// The judge judged: order 2 for a right slope, and one wrong part in a million is seen.
+// A test of is_slope: a right slope has order 2, and an error of one part in a million is found.
 TEST(Differences, HaveOrderTwoAndFindASmallWrongTerm) {
   const Function f = [](const VecX& x) -> VecX { return x.array().exp(); };
   const Slope right = [](const VecX& x) -> MatX { return x.array().exp().matrix().asDiagonal(); };

@@ -33,7 +33,7 @@ TEST(Guard, AtAPointTheEnergyIsThatOfThreadsWithoutLength) {
   EXPECT_NEAR(potential_energy(spring, x.head(6)), 100 / 2 * 0.25, 1e-6);
 }
 
-// However short the thread: |f_i| = k |C| |∂C/∂x_i| ≤ k √a b · √a |weight(m, i)| for each of the
+// For every length of the thread: |f_i| = k |C| |∂C/∂x_i| ≤ k √a b · √a |weight(m, i)| for each of the
 // two.
 TEST(Guard, ForceOfAShortThreadIsBounded) {
   Random random(12);
@@ -51,7 +51,7 @@ TEST(Guard, ForceOfAShortThreadIsBounded) {
     }
 }
 
-// Where a thread runs through a point its direction turns over. Without the guard n jumps by 2
+// Where a thread shrinks to a point and grows again, its direction turns over. Without the guard n jumps by 2
 // there; with it n is differentiable, and its slope is nowhere above 1/ε.
 TEST(Guard, DirectionTurnsOverWithoutAJump) {
   Random random(13);

@@ -1,12 +1,12 @@
-// The ten steps to the second derivative of the angle of a hinge, each by itself: the first five
-// against their geometry, the others against differences of what they differentiate. A mistake in one
-// step fails the test of that step first.
+// The ten steps to the second derivative of the angle of a hinge, one by one: the first five
+// against geometry, the others against finite differences. A mistake in one step fails the test of that
+// step first.
 #include "support/differences.h"
 #include "support/folds.h"
 
 namespace hinge_test {
 
-// The corners of one flap, its own vertex first, as nine numbers; and a flap of nine numbers.
+// The corners of one flap as nine numbers, its own vertex first; and the flap with these corners.
 VecX flap_points(const FoldCase& fold, int flap) {
   const Vecs<4> p = points(fold.x);
   VecX x(9);
@@ -145,7 +145,7 @@ TEST(Hinge, AngleGradientIsTheSlopeOfTheAngle) {
         << fold.name;
 }
 
-// 6, 8, 9, 10: what a step differentiates, as three numbers of a flap, and what it says the slope is.
+// 6, 8, 9, 10: a function of a flap, three numbers, and its slope as the step computes it.
 struct FlapDerivative {
   const char* name;
   VecX (*value)(const Flap&);
@@ -193,9 +193,9 @@ MatX matrix(const Mats<4>& blocks) {
   return all;
 }
 
-// 10. That it is the slope of the gradient stands in every_model_test.cpp.
-// Symmetric, though each flap's part by itself is not: what a rotation of the edge adds cancels. P0 and
-// P3 do not know of each other. Moving all four together changes nothing.
+// 10. every_model_test.cpp checks that it is the slope of the gradient.
+// It is symmetric, although the part of one flap is not: what a rotation of the edge adds to both parts
+// cancels. It has no block of P0 and P3. Moving all four vertices together changes nothing.
 TEST(Hinge, SecondDerivativeIsSymmetricWithoutABlockOfP0AndP3) {
   for (const FoldCase& fold : all_folds(14)) {
     const MatX H = matrix(angle_second(make_fold(points(fold.x))));
@@ -208,7 +208,7 @@ TEST(Hinge, SecondDerivativeIsSymmetricWithoutABlockOfP0AndP3) {
   }
 }
 
-// 10 km from the origin a place has the grain 2e-12 m, and a hinge no more than it makes of it.
+// 10 km from the origin positions are rounded to 2e-12 m. A hinge has no other error than this one.
 TEST(Hinge, FarFromTheOriginOnlyTheGrainOfThePlaceIsLost) {
   const double grain = 2e-12;
   for (const FoldCase& fold : all_folds(15)) {

@@ -1,5 +1,5 @@
-// Which triangles share an edge: counted by Euler's formula, oriented as the angle wants it, and refused
-// where three meet.
+// Which triangles share an edge: counted by Euler's formula, oriented for the angle, and refused
+// where three triangles meet.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -70,7 +70,7 @@ TEST(HingeTopology, BothFlapsAreWoundAsTheirFaces) {
   }
 }
 
-// Whatever the order of the faces and the corner at which they begin, the hinges are the same.
+// The hinges do not depend on the order of the faces, nor on the corner at which a face begins.
 TEST(HingeTopology, OrderOfTheFacesIsOnlyAName) {
   Mesh mesh = make_grid({1, 1}, {4, 4}, Diagonals::alternating);
   using Unordered = std::set<std::pair<std::set<int>, std::set<int>>>;
@@ -87,7 +87,7 @@ TEST(HingeTopology, OrderOfTheFacesIsOnlyAName) {
   EXPECT_EQ(hinges(mesh.faces), before);
 }
 
-// A face wound against its neighbour: the hinge takes flap 1 as it has to be, and is flat when it is.
+// A face wound against its neighbour: the hinge reverses flap 1, so that a flat hinge has the angle 0.
 TEST(HingeTopology, AFaceWoundTheOtherWayMakesNoFold) {
   Mesh mesh = make_grid({1, 1}, {3, 3}, Diagonals::same);
   std::swap(mesh.faces[7][0], mesh.faces[7][1]);

@@ -17,8 +17,7 @@ class EveryPose : public testing::TestWithParam<Pose> {};
 INSTANTIATE_TEST_SUITE_P(Triangle, EveryPose, testing::ValuesIn(all_poses),
                          [](const auto& pose) { return std::string(name(pose.param)); });
 
-// In double precision a place 1000 m away has the grain 1e-13 m, and C feels the grain times
-// weight.
+// Positions 1000 m away are rounded to 1e-13 m. The error of C is that rounding times the weight.
 TEST(Invariance, RigidMotionCostsNothing) {
   Random random(21);
   for (const double distance : {0.0, 1.0, 1000.0})
@@ -50,7 +49,7 @@ TEST(Invariance, RigidMotionOfASpringCostsNothing) {
     }
 }
 
-// Winding and order of the vertices are only names.
+// The winding and the order of the vertices change nothing.
 TEST_P(EveryPose, ForcesDoNotDependOnTheOrderOfTheVertices) {
   Random random(25);
   for (int i = 0; i < 50; ++i) {
@@ -78,7 +77,7 @@ TEST(Element, WeightsOfEachThreadAddUpToZero) {
   EXPECT_EQ(make_spring(0, 1, 1).weight.sum(), 0);
 }
 
-// However large they are: vertex 0 gets what makes the sum zero.
+// Vertex 0 gets minus the sum of the other forces.
 TEST(Element, ScatteredForcesAddUpToZero) {
   Random random(23);
   for (int i = 0; i < 50; ++i) {
@@ -89,8 +88,7 @@ TEST(Element, ScatteredForcesAddUpToZero) {
   }
 }
 
-// The right angle between a positive area and a number that may have a sign: a clockwise rest
-// triangle.
+// The area of a clockwise rest triangle is positive, too.
 TEST(Element, AreaIsPositiveWhicheverWayTheTriangleIsListed) {
   const Vec2 a(0, 0), b(3, 0), c(0, 4);
   EXPECT_DOUBLE_EQ(make_triangle({0, 1, 2}, a, b, c).area, 6);

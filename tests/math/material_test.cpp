@@ -29,7 +29,7 @@ Stretched stretched_sheet(const Vec2& size, const std::array<int, 2>& cells, dou
   return s;
 }
 
-// Whoever holds the edge u = size_x feels Σ f over its vertices.
+// The pull on the edge u = size_x: Σ f over its vertices.
 Vec3 force_on_right_edge(const Stretched& s) {
   const VecX f = forces(s.cloth, s.x);
   const double right = s.x.maxCoeff();
@@ -67,7 +67,7 @@ TEST(Material, PullOnTheEdgeIsStiffnessTimesStrainTimesWidth) {
   EXPECT_LT((force_on_right_edge(s) - Vec3(-300 * 0.05 * 0.5, 0, 0)).norm(), 1e-11);
 }
 
-// BW98 weighs by a: then every refinement makes four times softer cloth of it.
+// BW98 weighs by a: then every refinement makes the cloth four times softer.
 TEST(Material, WeightOfThePaperWouldSoftenByFourPerRefinement) {
   double coarse = energy_of_the_papers_weight(stretched_sheet({1, 1}, {4, 4}, 1, 0.05), 1);
   for (const int n : {8, 16, 32}) {
@@ -128,7 +128,7 @@ TEST(Material, StretchOnAGridIsSpringsOnTheGridLines) {
   }
 }
 
-// A condition reads its own vectors only, and says which.
+// A condition reads one vector, and `first` is its number.
 TEST(Stretch, ReadsOneThreadAndSaysWhich) {
   const Triangle t = make_triangle({Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)});
   const Vecs<2> w = {Vec3(2, 0, 0), Vec3(0, 3, 0)};

@@ -59,7 +59,7 @@ TEST_F(Matrix, DIsTheSlopeOfTheDampingForce) {
   }
 }
 
-// Where every thread is stretched, nothing is left out of stretch and springs.
+// Where every thread is stretched, the definite K of stretch and springs is the full K.
 TEST_F(Matrix, DefiniteKIsTheSlopeTooWhereThreadsAreStretchedAndNothingShears) {
   elastic.term<ShearTerm>().reset();
   const VecX x = 1.6 * mesh.x + random.vector(int(mesh.x.size()), 0.05);
@@ -74,7 +74,7 @@ TEST_F(Matrix, DefiniteKIsTheSlopeTooWhereThreadsAreStretchedAndNothingShears) {
       x, 0.3));
 }
 
-// The other way round, definite K is not the slope; the forces are the same all the same.
+// In general the definite K is not the slope of the forces. The forces themselves are the same.
 TEST_F(Matrix, ForcesDoNotDependOnTheJacobian) {
   const Evaluated definite = evaluate(cloth, state, Jacobian::definite);
   const Evaluated bw98 = evaluate(cloth, state, Jacobian::bw98);
@@ -183,7 +183,7 @@ TEST_F(Matrix, IsTheSumWrittenOutInFull) {
     }
 }
 
-// One half is stored: the product has to put the other half in its place.
+// Only one half is stored: the product has to use it twice.
 TEST_F(Matrix, ProductFromOneHalfIsTheDenseProduct) {
   step03::System system(cloth);
   step03::forces(cloth, state, system);

@@ -1,4 +1,4 @@
-// The V-cycle against the same with dense matrices, which know neither patterns nor halves.
+// The V-cycle against the same cycle with dense matrices, which have no pattern.
 #include "math/multigrid.h"
 
 #include <gtest/gtest.h>
@@ -44,8 +44,8 @@ MatX lower(const MatX& A) {
   return L;
 }
 
-// T of a V-cycle: forwards, coarse and backwards multiply the error by I − T A. S is what the pins
-// leave free on this level.
+// P⁻¹ of a V-cycle: forwards, coarse and backwards multiply the error by I − P⁻¹ A. S projects onto what
+// the pins leave free on this level.
 MatX cycle(const MatX& A, const MatX& S, const Grid& grid) {
   const MatX I = MatX::Identity(A.rows(), A.cols()), closed = S * A * S + I - S;
   if (!can_be_halved(grid)) {
@@ -53,23 +53,25 @@ MatX cycle(const MatX& A, const MatX& S, const Grid& grid) {
     return R * inverse(R.transpose() * closed * R) * R.transpose();
   }
   const MatX P = S * interpolation(grid), coarse = P.transpose() * A * P;
-  MatX S_c = MatX::Zero(coarse.rows(), coarse.cols());  // where a coarse vertex has anything at all
+  MatX S_c =
+      MatX::Zero(coarse.rows(), coarse.cols());  // where a coarse vertex is free in some direction
   for (int i = 0; i < S_c.rows(); i += 3) {
     const MatX R = range(coarse.block<3, 3>(i, i));
     S_c.block<3, 3>(i, i) = R * R.transpose();
   }
-  const MatX T_c = cycle(coarse, S_c, half(grid));
+  const MatX P_c_inverse = cycle(coarse, S_c, half(grid));
   const MatX forwards = inverse(lower(closed));
   const MatX E = (I - forwards.transpose() * closed) *
-                 (I - P * S_c * T_c * S_c * P.transpose() * closed) * (I - forwards * closed);
+                 (I - P * S_c * P_c_inverse * S_c * P.transpose() * closed) *
+                 (I - forwards * closed);
   return (I - E) * inverse(closed);
 }
 
-MatX matrix_of(Preconditioner& T, Eigen::Index n) {
+MatX matrix_of(Preconditioner& P, Eigen::Index n) {
   MatX all(n, n);
   VecX s(n);
   for (Eigen::Index j = 0; j < n; ++j) {
-    T.apply(VecX::Unit(n, j), s);
+    P.apply(VecX::Unit(n, j), s);
     all.col(j) = s;
   }
   return all;
@@ -167,19 +169,19 @@ TEST_P(VCycle, IsThatOfDenseMatrices) {
   const step04::System system = sheet.step(cg("multigrid", 1e-6));
   EXPECT_EQ(system.counts.capped + system.counts.indefinite, 0);
   const MatX S = filter_matrix(sheet.cloth);
-  const MatX T = matrix_of(*system.preconditioner, S.rows());
-  EXPECT_LT(relative(T, cycle(dense(system.A), S, *sheet.cloth.grid)), 1e-9);
-  EXPECT_LT(relative(T.transpose(), T), 1e-11);
+  const MatX P_inverse = matrix_of(*system.preconditioner, S.rows());
+  EXPECT_LT(relative(P_inverse, cycle(dense(system.A), S, *sheet.cloth.grid)), 1e-9);
+  EXPECT_LT(relative(P_inverse.transpose(), P_inverse), 1e-11);
 }
 
-// The eigenvalues of T A, and so those of I − T A, lie between 0 and 1: the cycle, repeated, converges
-// by itself.
+// The eigenvalues of P⁻¹ A, and so those of I − P⁻¹ A, lie between 0 and 1: the cycle alone, repeated,
+// converges.
 TEST_P(VCycle, ContractsEveryError) {
   const step04::System system = sheet.step(cg("multigrid", 1e-6));
   const MatX Z = free_directions(sheet.cloth), A = dense(system.A);
   const MatX L = cholesky(Z.transpose() * A * Z);
-  const MatX T = matrix_of(*system.preconditioner, A.rows());
-  const VecX e = eigenvalues(L.transpose() * Z.transpose() * T * Z * L);
+  const MatX P_inverse = matrix_of(*system.preconditioner, A.rows());
+  const VecX e = eigenvalues(L.transpose() * Z.transpose() * P_inverse * Z * L);
   EXPECT_GT(e.minCoeff(), 0.01);
   EXPECT_LT(e.maxCoeff(), 1 + 1e-9);
 }

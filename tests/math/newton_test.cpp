@@ -13,7 +13,7 @@ Method newton(int iterations, Jacobian jacobian = Jacobian::definite) {
   return method;
 }
 
-// A sheet thrown about, held by two corners or by nothing, without weight.
+// A sheet in random motion, held by two corners or free, without weight.
 struct Newton : testing::Test {
   Random random{111};
   Mesh mesh = make_grid({1, 1}, {5, 5}, Diagonals::same);
@@ -66,7 +66,7 @@ TEST_F(Newton, OneIterationTakenWholeIsThePlainStep) {
     }
 }
 
-// The state after each iteration is what a step allowed that many gives.
+// The state after n iterations is the result of a step that is allowed n.
 TEST_F(Newton, PhiNeverRisesWithinAStep) {
   damp();
   model.gravity = Vec3(0, -9.81, 0);
@@ -163,7 +163,7 @@ double exponent(const std::vector<double>& e) {
 
 // Without damping the printed matrix is the full second derivative of Φ. Where that is positive
 // definite, here in a sheet that its edges hold stretched, Newton's method converges quadratically;
-// what the definite matrix leaves out, of shear, makes it linear.
+// With the definite matrix, which leaves out a part of shear, it converges linearly.
 TEST_F(Newton, ConvergesQuadraticallyWithTheFullSecondDerivative) {
   for (int i = 0; i < mesh.vertices(); ++i)  // by all edges, stretched by 10 %
     if (i < 6 || i >= 30 || i % 6 == 0 || i % 6 == 5) model.pins.push_back(i);
@@ -181,7 +181,7 @@ TEST_F(Newton, ConvergesQuadraticallyWithTheFullSecondDerivative) {
   EXPECT_GT(part[2], 1e3 * full[2]);
 }
 
-// A step that has too few iterations says so.
+// A step counts that it had too few iterations.
 TEST_F(Newton, AStepThatDoesNotConvergeIsCounted) {
   const Cloth cloth = make_cloth(mesh, model);
   State state = thrown(0.3);

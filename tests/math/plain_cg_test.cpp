@@ -1,4 +1,4 @@
-// Textbook conjugate gradients: what is proved of them, and why a pinned cloth needs more.
+// Textbook conjugate gradients: their theorems, and why a pinned cloth needs more.
 #include "support/plain_cg.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ TEST_F(Iterates, AreTheBestThatTheirDirectionsAllow) {
   }
 }
 
-// A pinned vertex goes where forces take it. Modified conjugate gradients give it what its pin
+// Here a pinned vertex moves with the forces. Modified conjugate gradients give it what its pin
 // prescribes.
 TEST(PlainConjugateGradients, LeaveThePinnedVertexMoving) {
   const PinnedSheet sheet(123);

@@ -1,4 +1,4 @@
-// s = T r: what every preconditioner has to be, and what each of them is.
+// s = P⁻¹ r: the properties of every preconditioner, and the formula of each.
 #include "math/preconditioner.h"
 
 #include <gtest/gtest.h>
@@ -8,12 +8,12 @@
 
 namespace preconditioner_test {
 
-// T column by column.
-MatX matrix_of(Preconditioner& T, Eigen::Index n) {
+// P⁻¹ column by column.
+MatX matrix_of(Preconditioner& P, Eigen::Index n) {
   MatX all(n, n);
   VecX s(n);
   for (Eigen::Index j = 0; j < n; ++j) {
-    T.apply(VecX::Unit(n, j), s);
+    P.apply(VecX::Unit(n, j), s);
     all.col(j) = s;
   }
   return all;
@@ -30,10 +30,10 @@ bool positive_definite(const MatX& A) {
 }
 
 struct Preconditioners : testing::TestWithParam<const char*> {
-  MatX T_of(const PinnedSheet& sheet, const step04::System& system) const {
-    const auto T = make_preconditioner(GetParam(), system.A, sheet.cloth.pins, sheet.cloth.grid);
-    T->set(system.A);
-    return matrix_of(*T, sheet.state.x.size());
+  MatX inverse_of(const PinnedSheet& sheet, const step04::System& system) const {
+    const auto P = make_preconditioner(GetParam(), system.A, sheet.cloth.pins, sheet.cloth.grid);
+    P->set(system.A);
+    return matrix_of(*P, sheet.state.x.size());
   }
 };
 INSTANTIATE_TEST_SUITE_P(All, Preconditioners, testing::ValuesIn(all_preconditioners),
@@ -42,25 +42,25 @@ INSTANTIATE_TEST_SUITE_P(All, Preconditioners, testing::ValuesIn(all_preconditio
 TEST_P(Preconditioners, AreSymmetricAndPositiveDefinite) {
   for (const Diagonals diagonals : {Diagonals::same, Diagonals::alternating}) {
     const PinnedSheet sheet(151, diagonals);
-    const MatX T = T_of(sheet, sheet.step({}));
-    EXPECT_LT((T - T.transpose()).norm(), 1e-13 * T.norm());
-    EXPECT_TRUE(positive_definite(T));
+    const MatX P_inverse = inverse_of(sheet, sheet.step({}));
+    EXPECT_LT((P_inverse - P_inverse.transpose()).norm(), 1e-13 * P_inverse.norm());
+    EXPECT_TRUE(positive_definite(P_inverse));
   }
 }
 
-// The filter has nothing to take out. (The diagonal of a matrix knows no oblique directions.)
+// P⁻¹ keeps the free directions: the filter changes nothing. (Jacobi's has no oblique directions.)
 TEST_P(Preconditioners, MapWhatThePinsLeaveFreeOntoItself) {
   const PinnedSheet sheet(152);
-  const MatX S = filter_matrix(sheet.cloth), T = T_of(sheet, sheet.step({}));
-  const double leaves = ((MatX::Identity(S.rows(), S.cols()) - S) * T * S).norm();
+  const MatX S = filter_matrix(sheet.cloth), P_inverse = inverse_of(sheet, sheet.step({}));
+  const double leaves = ((MatX::Identity(S.rows(), S.cols()) - S) * P_inverse * S).norm();
   if (std::string(GetParam()) != "jacobi") {
-    EXPECT_LT(leaves, 1e-12 * T.norm());
+    EXPECT_LT(leaves, 1e-12 * P_inverse.norm());
   }
-  EXPECT_TRUE(positive_definite(free_directions(sheet.cloth).transpose() * T *
+  EXPECT_TRUE(positive_definite(free_directions(sheet.cloth).transpose() * P_inverse *
                                 free_directions(sheet.cloth)));
 }
 
-// Each is nearer to A⁻¹ than the one before: the eigenvalues of T A lie closer together.
+// Each P⁻¹ is nearer to A⁻¹ than the one before: the eigenvalues of P⁻¹ A lie closer together.
 TEST(AllPreconditioners, LowerTheConditionNumber) {
   const PinnedSheet sheet(153, Diagonals::same, {8, 8});
   const step04::System system = sheet.step({});
@@ -68,10 +68,10 @@ TEST(AllPreconditioners, LowerTheConditionNumber) {
   const MatX L = cholesky(Z.transpose() * A * Z);
   std::vector<double> condition;
   for (const char* name : all_preconditioners) {
-    const auto T = make_preconditioner(name, system.A, sheet.cloth.pins, sheet.cloth.grid);
-    T->set(system.A);
-    const MatX TA = L.transpose() * Z.transpose() * matrix_of(*T, A.rows()) * Z * L;
-    const VecX e = eigenvalues(TA);
+    const auto P = make_preconditioner(name, system.A, sheet.cloth.pins, sheet.cloth.grid);
+    P->set(system.A);
+    const MatX PA = L.transpose() * Z.transpose() * matrix_of(*P, A.rows()) * Z * L;
+    const VecX e = eigenvalues(PA);
     condition.push_back(e.maxCoeff() / e.minCoeff());
     std::printf("%-10s %.1f\n", name, condition.back());
   }
@@ -135,11 +135,11 @@ TEST_F(IC, IsExactWhereNothingIsDropped) {
                                  Pin(9, only(Vec3::UnitZ()))};
   for (const bool in_order : {true, false}) {
     const BlockMatrix A = matrix(in_order ? renumbered : mesh, pins);
-    IncompleteCholesky T(A, pins);
-    T.set(A);
-    EXPECT_EQ(T.shift, 0);
+    IncompleteCholesky P(A, pins);
+    P.set(A);
+    EXPECT_EQ(P.shift, 0);
     const MatX exact = inverse(closed(cloth, dense(A)));
-    const double error = relative(matrix_of(T, exact.rows()), exact);
+    const double error = relative(matrix_of(P, exact.rows()), exact);
     if (in_order)
       EXPECT_LT(error, 1e-11);
     else
@@ -152,11 +152,11 @@ TEST_F(IC, IsExactOnThePattern) {
   const std::vector<Pin> pins = {0, Pin(12, all_but(Vec3(1, 2, 2) / 3)),
                                  Pin(20, only(Vec3::UnitZ()))};
   const BlockMatrix A = matrix(make_grid({1, 1}, {6, 6}, Diagonals::alternating), pins);
-  IncompleteCholesky T(A, pins);
-  T.set(A);
-  EXPECT_EQ(T.shift, 0);
+  IncompleteCholesky P(A, pins);
+  P.set(A);
+  EXPECT_EQ(P.shift, 0);
   const MatX full = closed(cloth, dense(A));
-  const MatX off = inverse(matrix_of(T, full.rows())) - full;
+  const MatX off = inverse(matrix_of(P, full.rows())) - full;
   EXPECT_GT(off.norm(), 1e-3 * full.norm()) << "nothing was dropped";
   BlockMatrix ones = A;
   for (Mat3& block : ones.diagonal) block.setOnes();
@@ -172,30 +172,30 @@ TEST_F(IC, BeginsAgainWithMoreOnTheDiagonalWhenAPivotIsLost) {
   A.upper[size_t(A.slot(0, 3))] = 2 * Mat3::Identity();
   const MatX full = dense(A);
   ASSERT_TRUE(positive_definite(full));
-  IncompleteCholesky T(A, {});
-  T.set(A);
-  EXPECT_GT(T.shift, 0.01);
-  EXPECT_LT(T.shift, 1);
-  const MatX T_full = matrix_of(T, 12);
-  EXPECT_LT((T_full - T_full.transpose()).norm(), 1e-13 * T_full.norm());
-  EXPECT_TRUE(positive_definite(T_full));
+  IncompleteCholesky P(A, {});
+  P.set(A);
+  EXPECT_GT(P.shift, 0.01);
+  EXPECT_LT(P.shift, 1);
+  const MatX inverse_of_P = matrix_of(P, 12);
+  EXPECT_LT((inverse_of_P - inverse_of_P.transpose()).norm(), 1e-13 * inverse_of_P.norm());
+  EXPECT_TRUE(positive_definite(inverse_of_P));
   // On the pattern it is exact for A + shift diag(A).
-  EXPECT_NEAR(inverse(T_full)(0, 3), -2, 1e-12);
-  EXPECT_NEAR(inverse(T_full)(11, 11), 3 * (1 + T.shift), 1e-12);
+  EXPECT_NEAR(inverse(inverse_of_P)(0, 3), -2, 1e-12);
+  EXPECT_NEAR(inverse(inverse_of_P)(11, 11), 3 * (1 + P.shift), 1e-12);
 
-  for (Mat3& block : A.upper) block *= 0.1;  // and forgets it for the next matrix
-  T.set(A);
-  EXPECT_EQ(T.shift, 0);
+  for (Mat3& block : A.upper) block *= 0.1;  // the next matrix begins without a shift
+  P.set(A);
+  EXPECT_EQ(P.shift, 0);
 }
 
-// No shift helps a matrix with a negative diagonal. T is symmetric and definite all the same.
+// No shift helps a matrix with a negative diagonal. Then P is I.
 TEST_F(IC, IsTheIdentityForAMatrixThatNoShiftMakesDefinite) {
   BlockMatrix A = make_block_matrix(2, {{0, 1}});
   A.diagonal = {Mat3::Identity(), -Mat3::Identity()};
   A.upper[0].setOnes();
-  IncompleteCholesky T(A, {});
-  T.set(A);
-  EXPECT_EQ(matrix_of(T, 6), MatX::Identity(6, 6));
+  IncompleteCholesky P(A, {});
+  P.set(A);
+  EXPECT_EQ(matrix_of(P, 6), MatX::Identity(6, 6));
 }
 
 std::string refusal(const char* name, const std::optional<Grid>& grid) {

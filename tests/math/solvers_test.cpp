@@ -1,4 +1,4 @@
-// A Δv = b: three direct solvers, one answer.
+// A Δv = b: three direct solvers have the same result.
 #include <gtest/gtest.h>
 
 #include "step03_implicit/time_step.h"

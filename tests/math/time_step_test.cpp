@@ -1,4 +1,4 @@
-// Step 1's symplectic Euler, against what is known exactly about it.
+// Step 1's symplectic Euler against exact results.
 #include <gtest/gtest.h>
 
 #include "scene/make_cloth.h"
@@ -59,7 +59,7 @@ TEST(Step01, FreeClothFallsLikeAStone) {
   }
 }
 
-// Momentum changes by weight and nothing else, however wildly the cloth moves.
+// Momentum changes by weight and nothing else, in every motion of the cloth.
 TEST(Step01, MomentumIsThatOfTheWeightAlone) {
   const Mesh mesh = make_grid({1, 0.7}, {4, 3}, Diagonals::alternating);
   Model model;

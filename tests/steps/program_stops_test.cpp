@@ -67,6 +67,20 @@ TEST_P(StopsTest, DiskThatIsFullFromTheStartIsRefused) {
   EXPECT_EQ(files_in(directory / "out"), std::vector<std::string>{});
 }
 
+// No frame has been recorded then: neither a log without rows nor a film without pictures is left.
+TEST_P(StopsTest, AStartThatHasExplodedLeavesNoFile) {
+  write("start.obj", "v 0 0 0\nv 2000 0 0\nv 0 0 -1\nv 1 0 -1\nf 1 2 3\nf 2 4 3\n");
+  write("scene.toml",
+        "[cloth]\nsize = [1.0, 1.0]\ncells = [1, 1]\ndensity = 0.2\n[stretch]\nk = 1000.0\n"
+        "[time]\nh = 0.0001\nend = 0.01\n[start]\npositions = \"start.obj\"\n");
+  const Outcome outcome = run({"scene.toml", "--size", "80x45", "--out", "out"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
+  EXPECT_NE(outcome.err.find("a thread is 2e+03 times its length"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(files_in(directory / "out"), std::vector<std::string>{});
+}
+
 // … and the --h that it names works.
 TEST_P(ExplosionTest, BeyondTheStableStepItBreaksOffAndSaysWhatToTry) {
   const Arguments scene = small_square(16, {"--end", "1", "--frames", "100", "--size", "80x45"});

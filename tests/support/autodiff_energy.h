@@ -1,8 +1,8 @@
-// The energy of one triangle and nothing else, straight from positions and (u, v), without any of
-// our weights and gradients: Eigen's automatic differentiation finds the force.
+// The energy of one triangle from positions and (u, v) alone, without our weights and gradients. Eigen's
+// automatic differentiation finds the force.
 #pragma once
 #include "math/types.h"
-// Not self-contained: after Eigen/Dense.
+// This header of Eigen needs Eigen/Dense before it.
 #include <unsupported/Eigen/AutoDiff>
 
 using Nine = Eigen::AutoDiffScalar<Eigen::Matrix<double, 9, 1>>;  // a number and its slope in x

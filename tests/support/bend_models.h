@@ -1,4 +1,4 @@
-// The four models of [bend] by one name each, for tests that run over all of them.
+// The four models of [bend] as an enum, for tests that run over all of them.
 #pragma once
 #include <optional>
 
@@ -6,7 +6,7 @@
 
 enum class BendModel { dihedral, bridson, quadratic, springs };
 
-// Hands the type of a model's term to act: act.operator()<DihedralBend>().
+// Calls act with the type of a model's term: act.operator()<DihedralBend>().
 template <class Act>
 auto with_bend_term(BendModel model, const Act& act) {
   switch (model) {

@@ -1,5 +1,5 @@
 // Counts what a piece of work allocates: C++ through operator new, Eigen through the check that it
-// makes before each of its own allocations. To be included first, once, in a program of its own.
+// makes before each of its own allocations. Include it first, in one file of a program.
 #pragma once
 namespace {
 int allocations = 0;
@@ -13,7 +13,7 @@ int allocations = 0;
 
 #include <Eigen/Core>
 
-// Not inlined: g++ would see free() meet the new of the library, and warn.
+// Not inlined: otherwise g++ warns that free() does not match the operator new of the library.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;

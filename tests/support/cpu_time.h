@@ -1,5 +1,5 @@
-// CPU time of one thread, and what to make of several measurements. Ratios come from interleaved rounds,
-// each round doing one thing after the other, so that a busy machine slows all of them alike.
+// CPU time of one thread, and the median of several measurements. Ratios come from interleaved rounds:
+// each round runs one thing after the other, so that a busy machine slows all of them alike.
 #pragma once
 #include <time.h>
 
@@ -23,7 +23,7 @@ inline double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// The ratio of each round, and of these the median.
+// The median of the ratios of all rounds.
 inline double median_ratio(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> ratios;
   for (size_t round = 0; round < a.size(); ++round) ratios.push_back(a[round] / b[round]);

@@ -16,7 +16,7 @@ MatX dense(const BlockMatrix& A) {
 
 namespace {
 
-// ∂y_m/∂x_i. The y of a hinge are its vertices; that they are seen from one of them changes no C.
+// ∂y_m/∂x_i. The y of a hinge are its vertices. That y is relative to P0 changes no C.
 template <class Element>
 double weight(const Element& e, int m, int i) {
   return e.weight(m, i);

@@ -1,6 +1,5 @@
-// Matrices the slow and plain way: every condition of a cloth on all coordinates at once, its
-// gradient g = ∂C/∂x and its second derivative H = ∂²C/∂x² written out in full. What the steps assemble
-// block by block has to be the same.
+// Dense matrices of a cloth: every condition on all coordinates, with its gradient g = ∂C/∂x and its second
+// derivative H = ∂²C/∂x². The matrices that the steps assemble block by block must be the same.
 #pragma once
 #include <vector>
 

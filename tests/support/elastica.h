@@ -1,9 +1,9 @@
 // The heavy elastica: a thread of length 1 that cannot stretch, clamped horizontally at one end, and
-// bent by its own weight. With θ, how far it points down at s from the clamp,
+// bent by its own weight. With θ, the angle below the horizontal at s from the clamp,
 //
 //   θ'' = −Γ (1 − s) cos θ,   θ(0) = 0,   θ'(1) = 0,   Γ = ρ g L³/B
 //
-// One number says it all: Γ, the weight against the stiffness. Seen from the free end, with t = 1 − s
+// Γ, the weight relative to the stiffness, is the only parameter. Seen from the free end, with t = 1 − s
 // and u = π/2 − θ, the angle to the vertical, it is an initial value problem:
 //
 //   u'' = Γ t sin u,   u(0) = ε,   u'(0) = 0,   where ε is such that u(1) = π/2

@@ -1,5 +1,4 @@
-// Energies and forces of a cloth, for the tests: a cloth without a scene, the forces as step 1 adds
-// them up, and the energy whose slope they have to be.
+// Cloths without a scene, their forces as step 1 computes them, and the energy of one family.
 #pragma once
 #include "math/energy.h"
 #include "step01_explicit/time_step.h"
@@ -18,7 +17,7 @@ inline VecX forces(const Cloth& cloth, const VecX& x) {
   return system.f;
 }
 
-// Vertices of 1 kg, and nothing else yet.
+// Vertices of 1 kg, without elements.
 inline Cloth bare_cloth(int vertices) {
   Cloth cloth;
   cloth.mass = cloth.inverse_mass = VecX::Ones(3 * vertices);

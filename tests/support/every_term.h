@@ -1,5 +1,5 @@
 // Every term of the lists (math/cloth.h) by itself: on one element of its family, in all poses of that
-// kind of element. A new term joins without a line here. A new kind of element brings its poses.
+// kind of element. A new term needs no line here; a new kind of element needs its poses.
 #pragma once
 #include <functional>
 #include <string>
@@ -66,7 +66,7 @@ inline std::vector<PosedElement<QuadraticHinge>> poses_of(std::type_identity<Qua
   return posed;
 }
 
-// What a term has beside k and kd, at random.
+// Random values of the members of a term other than k and kd.
 inline void vary(Term&, Random&) {}
 inline void vary(StretchTerm& term, Random& random) {
   term.b = {random.between(0.7, 1.3), random.between(0.7, 1.3)};

@@ -1,4 +1,4 @@
-// Clothes that no step should be able to break: a square metre of 12 × 12 cells with equal diagonals,
+// Scenes that should break no step: a square metre of 12 × 12 cells with equal diagonals,
 // k_shear = k, without damping, and with gravity; two corners are held where they start.
 #pragma once
 #include <random>
@@ -25,7 +25,7 @@ inline TestScene squeezed(double k) {
   return scene;
 }
 
-// Every vertex that no pin holds is anywhere in a cubic metre.
+// Every vertex without a pin starts at a random place in a cubic metre.
 inline TestScene tangled(double k) {
   TestScene scene = dropped(k);
   std::mt19937 random(1);  // the same numbers everywhere
@@ -42,7 +42,7 @@ inline TestScene coincident(double k) {
   return scene;
 }
 
-// A triangle that is a line, and one that is a point.
+// One triangle degenerates to a line, one to a point.
 inline TestScene collapsed(double k) {
   TestScene scene = dropped(k);
   const auto at = [&](int i, int j) { return scene.start.x.segment<3>(3 * vertex(i, j)); };

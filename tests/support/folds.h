@@ -12,12 +12,12 @@
 
 constexpr double pi = std::numbers::pi;
 
-// The vertices of a hinge in the plane: the edge along y, of length 1, P0 on the left. Of each flap, how
-// high it is and at which height the foot of its vertex lies on the edge: 0 at P1, 1 at P2.
+// A hinge in the plane: its edge lies along y and has the length 1, P0 is on the left. For each flap: its
+// height, and where the foot of the height lies on the edge: 0 at P1, 1 at P2.
 struct FlatHinge {
   double height0, foot0, height1, foot1;
 
-  // Folded by θ: from 0 on P3 goes to the back, −z.
+  // Folded by θ: P3 moves to the back, −z, as θ grows from 0.
   Vecs<4> folded(double theta) const {
     return {Vec3(-height0, foot0, 0), Vec3(0, 0, 0), Vec3(0, 1, 0),
             Vec3(height1 * std::cos(theta), foot1, -height1 * std::sin(theta))};
@@ -39,7 +39,7 @@ inline Vecs<4> points(const VecX& x) {
   return {x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9)};
 }
 
-// The rest shape of a flat hinge, as Bridson's and as Bergou's model have it.
+// The rest shape of a flat hinge for the models of Bridson and of Bergou.
 inline double two_areas(const FlatHinge& hinge) {  // its edge is 1 m long
   return hinge.height0 + hinge.height1;
 }

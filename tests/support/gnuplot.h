@@ -1,5 +1,4 @@
-// Pictures of what was measured: a CSV file, a gnuplot script beside it, and where gnuplot is installed
-// the picture itself.
+// Plots of measurements: a CSV file, a gnuplot script beside it, and the picture where gnuplot is installed.
 #pragma once
 #include <cstdio>
 #include <cstdlib>
@@ -7,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-// Colours that the colour-blind tell apart too (Okabe & Ito), and what all pictures share.
+// Colours that colour-blind readers can distinguish (Okabe & Ito), and the settings that all plots share.
 inline const std::string gnuplot_style = R"(set datafile separator ","
 set linetype 1 lw 2 pt 7 ps 1.1 lc rgb "#0072B2"
 set linetype 2 lw 2 pt 5 ps 1.1 lc rgb "#D55E00"
@@ -23,7 +22,7 @@ set format x "10^{%T}"
 set format y "10^{%T}"
 )";
 
-// Runs DIRECTORY/NAME.gp, which writes DIRECTORY/NAME.png, or says how to.
+// Runs DIRECTORY/NAME.gp, which writes DIRECTORY/NAME.png, or prints the command that does.
 inline void draw(const std::filesystem::path& directory, const std::string& name,
                  const std::string& script) {
   std::ofstream(directory / (name + ".gp")) << script;

@@ -1,4 +1,4 @@
-// What became of a cloth: energies, stretches, and what the solver had to say.
+// The outcome of a run: energies, stretches, and the counts of the solver.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -26,7 +26,7 @@ inline int steps_for(double seconds, double h, int fewest) {
   return std::max(fewest, int(std::lround(seconds / h)));
 }
 
-// Ends early where a position is not finite. The scene is a copy: a cloth may remember its folds.
+// Ends early where a position is not finite. The scene is a copy, because step 5 stores θ in its hinges.
 template <class System, class Step>
 Outcome watch(TestScene scene, double h, int steps, System& system, const Step& step) {
   Outcome o;

@@ -1,4 +1,4 @@
-// Sheets held in every way that a pin can hold, and what pins mean, with dense matrices.
+// A sheet with all kinds of pins, and the definition of pins by dense matrices.
 #pragma once
 #include "step04_cg/time_step.h"
 #include "support/dense.h"
@@ -13,7 +13,7 @@ inline Method cg(const std::string& preconditioner, double tolerance) {
   return method;
 }
 
-// What a pin leaves free that holds the unit vector p, or that leaves only d.
+// S of a pin that holds the direction p, and of a pin that leaves only the direction d free.
 inline Mat3 all_but(const Vec3& p) {
   return Mat3::Identity() - p * p.transpose();
 }
@@ -27,7 +27,7 @@ MatX filter_matrix(const Cloth&);
 // Orthonormal columns that span what the pins leave free.
 MatX free_directions(const Cloth&);
 
-// z as it is defined: what the pins prescribe of Δv, in the directions that they hold.
+// z by its definition: the part of Δv that the pins prescribe, in the directions that they hold.
 VecX prescribed(const Cloth&, const VecX& v);
 
 // The Δv in z + range(S) at which ½ Δvᵀ A Δv − bᵀ Δv is smallest.

@@ -1,5 +1,5 @@
-// Random triangles: rest shapes of any size, proportion and winding, and the poses in which a
-// condition is asked for its derivatives.
+// Random triangles: rest shapes of any size, proportion and winding, and the poses in which
+// the derivatives of a condition are tested.
 #pragma once
 #include <numbers>
 #include <ostream>
@@ -7,7 +7,7 @@
 
 #include "math/triangle.h"
 
-// Reproducible: every test makes its own from a seed.
+// Reproducible random numbers: every test makes its own from a seed.
 class Random {
  public:
   explicit Random(unsigned seed) : generator(seed) {}

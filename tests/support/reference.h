@@ -1,5 +1,5 @@
-// What a step is compared with: the same cloth, moved by the classical Runge-Kutta method of order 4
-// with a step so short that its own error does not count; and how the order of a step is read off.
+// The reference of a step: the same cloth, moved by the classical Runge-Kutta method of order 4 with steps
+// so short that its error is negligible. And the measured order of a step.
 #pragma once
 #include <cmath>
 #include <functional>

@@ -30,7 +30,7 @@ class SceneFiles : public testing::Test {
     return read_scene(write("scene.toml", text), program, overrides);
   }
 
-  // What the scene is refused with, without the directory in front of the file names.
+  // The message that refuses the scene, without the directory in front of the file names.
   std::string refusal(const std::string& text, const std::string& program = "step02_damping",
                       const Overrides& overrides = {}) const {
     return message([&] { read(text, program, overrides); });
@@ -52,7 +52,7 @@ class SceneFiles : public testing::Test {
   const std::filesystem::path directory;
 };
 
-// One line, with all of these in it.
+// The message is one line and contains all parts.
 inline void expect_says(const std::string& message, const std::vector<std::string>& parts) {
   EXPECT_EQ(message.find('\n'), message.npos) << message;
   for (const std::string& part : parts)

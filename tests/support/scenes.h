@@ -93,7 +93,7 @@ inline double hanging_depth(double s, double L, double k) {
 }
 
 // The scenes in which the order of convergence is measured. In each, neighbouring starts stay
-// neighbours until `end`, so that an error is the method's.
+// neighbours until `end`, so that the error at the end is that of the method.
 
 // Swings from the horizontal.
 inline TestScene swinging_triangle() {

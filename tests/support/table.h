@@ -1,4 +1,4 @@
-// Every time step against every stiffness: run, printed, and counted.
+// Runs a scene at every time step and every stiffness, and prints a table with counts.
 #pragma once
 #include <gtest/gtest.h>
 

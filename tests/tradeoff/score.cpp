@@ -11,8 +11,6 @@ namespace tradeoff {
 
 namespace {
 
-constexpr double exploded_stretch = 1000;  // as in the programs
-
 struct Motion {
   Cloth cloth;  // with its folds
   State state;

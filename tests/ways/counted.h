@@ -1,5 +1,5 @@
-// The matrix and the energy of the steps, with a counter at every door. `counting` is where this thread
-// counts.
+// The matrix and the energy of the steps, with counters in every function that moves data. `counting`
+// points to the counts of this thread.
 #pragma once
 #include "math/energy.h"
 #include "math/pattern.h"

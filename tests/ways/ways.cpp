@@ -8,7 +8,7 @@
 #include "math/stable_step.h"
 #include "ways/counted.h"
 
-// The steps as they stand, but with matrices and energies that count, under names of their own.
+// The steps unchanged, but with matrices and energies that count, and in namespaces of their own.
 #define BlockMatrix CountedMatrix
 #define potential_energy counted_potential_energy
 #define step01 counted_step01
@@ -24,7 +24,7 @@
 
 namespace {
 
-// Steps 1 and 2: everything is known beforehand.
+// Steps 1 and 2: the cost of a step is known beforehand.
 template <class System, class TimeStep, class Forces>
 class Explicit : public Simulator {
  public:

@@ -1,4 +1,4 @@
-// The steps behind the interface are the steps, and what is counted is what they do.
+// The steps behind the interface give the bits of the steps themselves, and the counts are right.
 #include <gtest/gtest.h>
 
 #include "step02_damping/time_step.h"
