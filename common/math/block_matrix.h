@@ -89,13 +89,12 @@ auto find_slots(const Family& family, const BlockMatrix& A) {
   constexpr int N = Family::N;
   std::vector<Slots<N>> slots;
   for (const auto& element : family.elements) {
-    Slots<N> slot;
+    Slots<N>& slot = slots.emplace_back();
     for (int i = 0, pair = 0; i < N; ++i)
       for (int j = i + 1; j < N; ++j, ++pair) {
         const auto [low, high] = std::minmax(element.vertices[i], element.vertices[j]);
         slot[pair] = A.slot(low, high);
       }
-    slots.push_back(slot);
   }
   return slots;
 }
