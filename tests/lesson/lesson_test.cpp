@@ -2,6 +2,7 @@
 // same byte for byte, names that exist, pictures that are there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -95,15 +96,80 @@ TEST(Lessons, NoStepReadsAnotherAndNothingSharedReadsAStep) {
   }
 }
 
-// Every picture that a README shows and every file that it links to is there.
+std::vector<std::string> includes(const std::string& text) {
+  const std::regex include("#include \"([^\"]+)\"");
+  std::vector<std::string> all;
+  for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it)
+    all.push_back((*it)[1]);
+  return all;
+}
+
+// What a step teaches needs mathematics alone: no scene, no program, no picture.
+TEST(Lessons, TimeStepsAndHeadersOfMathIncludeMathOnly) {
+  std::vector<std::filesystem::path> files;
+  for (const Step& step : steps()) files.push_back(source / step.name / "time_step.h");
+  for (const auto& entry : std::filesystem::directory_iterator(source / "common/math"))
+    if (entry.path().extension() == ".h") files.push_back(entry.path());
+  for (const auto& file : files)
+    for (const std::string& header : includes(read(file)))
+      EXPECT_TRUE(header.starts_with("math/")) << file << " includes " << header;
+}
+
+TEST(Lessons, IncludesAreFound) {
+  EXPECT_EQ(includes("#include <array>\n#include \"math/a.h\"\n  #include \"b.h\"\n"),
+            (std::vector<std::string>{"math/a.h", "b.h"}));
+}
+
+// The Markdown files of the repository.
+std::vector<std::filesystem::path> documents() {
+  std::vector<std::filesystem::path> found = {source / "README.md", source / "CONTRIBUTING.md"};
+  for (const char* directory : {"common", "tests"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source / directory))
+      if (entry.path().extension() == ".md") found.push_back(entry.path());
+  for (const Step& step : steps()) found.push_back(source / step.name / "README.md");
+  return found;
+}
+
+// Every picture that a document shows and every file that it links to is there.
 TEST(Lessons, LinksAndPicturesExist) {
-  std::vector<std::filesystem::path> readmes = {source / "README.md", source / "common/README.md"};
-  for (const Step& step : steps()) readmes.push_back(source / step.name / "README.md");
-  const std::regex link("\\]\\(([^)#]+)(#[^)]*)?\\)");
-  for (const auto& readme : readmes) {
-    const std::string text = read(readme);
+  const std::regex link("\\]\\(([^)#]+)(#[^)]*)?\\)"), web("https?://.*");
+  for (const auto& document : documents()) {
+    const std::string text = read(document);
     for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it)
-      EXPECT_TRUE(exists(readme.parent_path() / (*it)[1].str())) << readme << ": " << (*it)[1];
+      if (const std::string target = (*it)[1]; !std::regex_match(target, web)) {
+        EXPECT_TRUE(exists(document.parent_path() / target)) << document << ": " << target;
+      }
+  }
+}
+
+// Every file of the repository that a document names in `…` is there.
+TEST(Lessons, FilesThatAreNamedExist) {
+  const std::regex file("`((common|tests|step0[1-5]_[a-z]+)/[A-Za-z0-9_./]*)`");
+  int named = 0;
+  for (const auto& document : documents()) {
+    const std::string text = read(document);
+    for (std::sregex_iterator it(text.begin(), text.end(), file), end; it != end; ++it) {
+      EXPECT_TRUE(exists(source / (*it)[1].str())) << document << ": " << (*it)[1];
+      ++named;
+    }
+  }
+  EXPECT_GT(named, 10);
+}
+
+// Prose is wrapped at 110 columns. Tables, pictures, code and what programs print are as long as they are.
+TEST(Lessons, ProseIsWrapped) {
+  for (const auto& document : documents()) {
+    bool code = false;
+    int number = 0;
+    for (const std::string& line : lines(read(document))) {
+      ++number;
+      if (line.starts_with("```")) code = !code;
+      const bool free = code || line.starts_with("|") || line.starts_with("![") ||
+                        line.starts_with("<!-- ") || line.starts_with("    ");
+      const auto columns =
+          std::ranges::count_if(line, [](unsigned char byte) { return (byte & 0xC0) != 0x80; });
+      EXPECT_TRUE(free || columns <= 110) << document << ":" << number;
+    }
   }
 }
 
@@ -115,7 +181,8 @@ TEST(Lessons, TablesOfEquationsNameFunctionsThatExist) {
       code += read(entry.path());
   for (const Step& step : steps()) {
     const std::string all = code + read(source / step.name / "time_step.h");
-    const std::regex row("\\| [^|]*\\|.*\\| ((`[^`|]+`(, )?)+) \\|"), name("`([a-z_0-9]+)[^`]*`");
+    const std::regex row("\\| [^|]*\\|.*\\| ((`[^`|]+`(, )?)+) \\|"),
+        name("`([A-Za-z_0-9]+)[^`]*`");
     int rows = 0;
     const std::string text = read(source / step.name / "README.md");
     const size_t table = text.find("| | formula | in the code |"), end = text.find("\n\n", table);
@@ -134,7 +201,7 @@ TEST(Lessons, TablesOfEquationsNameFunctionsThatExist) {
 }
 
 TEST(Lessons, PlainConjugateGradientsArePrintedAsTheyAreTested) {
-  const std::string tested = read(source / "tests/math/plain_cg.h");
+  const std::string tested = read(source / "tests/support/plain_cg.h");
   const size_t begin = tested.find("// Solves A x = b");
   ASSERT_NE(begin, std::string::npos);
   EXPECT_NE(read(source / "step04_cg/README.md").find(tested.substr(begin)), std::string::npos);
@@ -143,9 +210,9 @@ TEST(Lessons, PlainConjugateGradientsArePrintedAsTheyAreTested) {
 TEST(Lessons, ContinuousIntegrationRunsTheTestCommandOfTheReadme) {
   int commands = 0;
   for (const std::string& line : lines(read(source / "README.md")))
-    commands += line.starts_with("sudo ") && line.ends_with("--preset tests");
+    commands += line.starts_with("common/install_packages ") && line.ends_with("--preset tests");
   EXPECT_EQ(commands, 1);
-  EXPECT_NE(read(source / ".ci/run").find("eval \"${command//sudo /}\""), std::string::npos);
+  EXPECT_NE(read(source / ".ci/run").find("eval \"$command\""), std::string::npos);
 }
 
 }  // namespace lesson_test

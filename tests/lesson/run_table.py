@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints a table of a lesson: runs a program of a step several times and collects what it says and logs.
+"""Prints a table of a lesson: runs programs and collects what they print and log.
 
     python3 tests/lesson/run_table.py energy_of_h
 
@@ -32,6 +32,11 @@ def print_table(headings, rows):
         print("|" + "|".join(cells) + "|" if cells[0] == "---" else "| " + " | ".join(cells) + " |")
 
 
+def numbers_of(file):
+    """The rows of a CSV file, each with its numbers by the names of the columns."""
+    return [{name: float(text) for name, text in row.items()} for row in csv.DictReader(file)]
+
+
 class Run:
     """One run of a step: its exit code, what it says, and the rows of its log.csv."""
 
@@ -49,7 +54,7 @@ class Run:
             self.exploded, self.text = result.returncode == 1, result.stdout
             log = pathlib.Path(out, "log.csv")
             with log.open(encoding="utf-8") as file:
-                self.log = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+                self.log = numbers_of(file)
 
     def find(self, expression):
         match = re.search(expression, self.text)
@@ -77,7 +82,7 @@ def scene_of(step, **values):
     return "\n".join(lines) + "\n"
 
 
-# Step 1 ----------------------------------------------------------------------------------------------
+# Step 1 ---------------------------------------------------------------------------------------
 
 def energy_of_h():
     rows = []
@@ -85,11 +90,13 @@ def energy_of_h():
         run = Run("step01_explicit", "--end", "0.8", "--frames", "16", "--h", h)
         total = run.column("total")
         change = max(abs(energy - total[0]) for energy in total)
-        rows.append((h, run.find(r"(\d+) steps"), power(change), minus(f"{run.at(0.25)['lowest']:.6f}")))
-    print_table(("h (s)", "steps", "largest change of the total energy (J)", "lowest point at 0.25 s (m)"), rows)
+        lowest = minus(f"{run.at(0.25)['lowest']:.6f}")
+        rows.append((h, run.find(r"(\d+) steps"), power(change), lowest))
+    print_table(("h (s)", "steps", "largest change of the total energy (J)",
+                 "lowest point at 0.25 s (m)"), rows)
 
 
-# Step 2 ----------------------------------------------------------------------------------------------
+# Step 2 ---------------------------------------------------------------------------------------
 
 def energies():
     one, two = Run("step01_explicit"), Run("step02_damping")
@@ -98,27 +105,30 @@ def energies():
         kinetic = [f"{run.at(time)['kinetic']:.5f}" for run in (one, two)]
         total = [minus(f"{run.at(time)['total']:.4f}") for run in (one, two)]
         rows.append((f"{time:.2f}", *kinetic, *total))
-    print_table(("t (s)", "kinetic, step 1 (J)", "kinetic, step 2 (J)", "total, step 1 (J)", "total, step 2 (J)"),
-                rows)
+    print_table(("t (s)", "kinetic, step 1 (J)", "kinetic, step 2 (J)",
+                 "total, step 1 (J)", "total, step 2 (J)"), rows)
 
 
 def critical_step_of_damping():
     rows = []
-    for stretch, shear in ((0, 0), (0.02, 0.01), (0.05, 0.025), (0.07, 0.035), (0.1, 0.05), (0.2, 0.1)):
-        run = Run("step02_damping", scene=scene_of("step02_damping", damping_stretch=stretch, damping_shear=shear))
+    for stretch in (0, 0.02, 0.05, 0.07, 0.1, 0.2):
+        shear = stretch / 2
+        run = Run("step02_damping", scene=scene_of("step02_damping", damping_stretch=stretch,
+                                                   damping_shear=shear))
         h_crit = float(run.find(r"h_crit = ([\d.e-]+) s"))
-        outcome = f"explodes in step {run.find(r'exploded in step ([0-9]+)')}" if run.exploded else "runs"
+        last_step = run.find(r"exploded in step (\d+)")
+        outcome = f"explodes in step {last_step}" if run.exploded else "runs"
         rows.append((f"{stretch:g}, {shear:g}", f"{h_crit:.3g}", outcome))
     print_table(("kd of stretch, of shear (N·s/m)", "h_crit (s)", "h = 2e-4 s"), rows)
 
 
-# Step 3 ----------------------------------------------------------------------------------------------
+# Step 3 ---------------------------------------------------------------------------------------
 
 def price_of_h():
     runs = [("0.0002 (step 2)", Run("step02_damping"))]
     runs += [(h, Run("step03_implicit", "--h", h, "--frames", steps))  # every step is a frame
-             for h, steps in (("0.0025", "400"), ("0.005", "200"), ("0.01", "100"), ("0.0166667", "60"),
-                              ("0.0333", "31"), ("0.1", "10"))]
+             for h, steps in (("0.0025", "400"), ("0.005", "200"), ("0.01", "100"),
+                              ("0.0166667", "60"), ("0.0333", "31"), ("0.1", "10"))]
     rows = []
     for h, run in runs:
         last, highest = run.log[-1], max(run.column("total"))
@@ -126,8 +136,8 @@ def price_of_h():
         gained = power(highest) if highest > 1e3 else f"{highest:.2f}"
         rows.append((h, run.find(r"(\d+) steps"), f"{run.seconds():.2g}", minus(energy),
                      gained if highest > 1e-2 else "none", minus(f"{last['lowest']:.2f}")))
-    print_table(("h (s)", "steps", "seconds", "energy at the end (J)", "highest energy on the way (J)",
-                 "lowest point at the end (m)"), rows)
+    print_table(("h (s)", "steps", "seconds", "energy at the end (J)",
+                 "highest energy on the way (J)", "lowest point at the end (m)"), rows)
 
 
 def cost_of_stiffness():
@@ -137,19 +147,21 @@ def cost_of_stiffness():
         explicit = Run("step02_damping", "--h", h, scene=scene_of("step02_damping", **k))
         implicit = Run("step03_implicit", scene=scene_of("step03_implicit", **k))
         e = str(exponent).translate(SUPERSCRIPTS), str(exponent - 1).translate(SUPERSCRIPTS)
-        rows.append((f"10{e[0]}, 5·10{e[1]}", explicit.find(r"(\d+) steps"), f"{explicit.seconds():.2g}",
+        rows.append((f"10{e[0]}, 5·10{e[1]}",
+                     explicit.find(r"(\d+) steps"), f"{explicit.seconds():.2g}",
                      implicit.find(r"(\d+) steps"), f"{implicit.seconds():.2g}"))
-    print_table(("k, k_shear (N/m)", "step 2, explicit: steps", "seconds", "step 3, implicit: steps", "seconds"), rows)
+    print_table(("k, k_shear (N/m)", "step 2, explicit: steps", "seconds",
+                 "step 3, implicit: steps", "seconds"), rows)
 
 
-# Step 4 ----------------------------------------------------------------------------------------------
+# Step 4 ---------------------------------------------------------------------------------------
 
 def measured_tolerances(*options):
     with tempfile.TemporaryDirectory() as out:
         subprocess.run(["build/release/tests/lesson/measure_tolerance", "--out", out, *options],
                        stdout=subprocess.DEVNULL, check=True)
         with next(pathlib.Path(out).glob("*.csv")).open(encoding="utf-8") as file:
-            return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+            return numbers_of(file)
 
 
 def tolerances():
@@ -157,8 +169,9 @@ def tolerances():
     for row in measured_tolerances():
         exponent = round(-len(str(int(1 / row["tolerance"] + 0.5))) + 1)
         name = f"10{str(exponent).translate(SUPERSCRIPTS)}"
-        rows.append((f"**{name}** (default)" if exponent == -4 else name, power(row["error_median"]),
-                     power(row["error_worst"]), f"{row['iterations_median']:.0f}", f"{row['milliseconds']:.1f}",
+        rows.append((f"**{name}** (default)" if exponent == -4 else name,
+                     power(row["error_median"]), power(row["error_worst"]),
+                     f"{row['iterations_median']:.0f}", f"{row['milliseconds']:.1f}",
                      power(row["position_end"]), power(row["position_worst"])))
     print_table(("tolerance", "error of Δv, median", "worst", "iterations a step", "ms a step",
                  "error of position at 1 s", "worst of the run"), rows)
@@ -182,7 +195,8 @@ def whole_step():
                       text.split("80 x 80")[0], re.M)
     names = {"step 3, ldlt": "LDLᵀ (step 3)", "step 3, cholmod": "CHOLMOD (step 3)",
              "triplets, Eigen's CG": "triplets and Eigen's conjugate gradients with its diagonal"}
-    rows = [(names.get(way, f"`{way[8:]}`"), "" if tolerance == "direct" else iterations, f"{float(ms):.0f}")
+    rows = [(names.get(way, f"`{way[8:]}`"), "" if tolerance == "direct" else iterations,
+             f"{float(ms):.0f}")
             for way, tolerance, iterations, ms in ways]
     print_table(("method", "iterations", "ms"), rows)
 
@@ -192,15 +206,18 @@ def warm_starts():
     text = subprocess.run(["build/release/tests/bench/bench_solve", "warm"], text=True, check=True,
                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
     rows = []
-    for time, preconditioner, numbers in re.findall(r"^default, t = (\S+) s +(\w+) +(.*)$", text, re.M):
-        number = numbers.split()  # 4 pairs at equal error, then cold, warm and two errors at 4 tolerances
-        rows.append((time, f"`{preconditioner}`", f"{number[12]} → {number[13]}", f"{number[20]} → {number[21]}"))
+    case = re.compile(r"^default, t = (\S+) s +(\w+) +(.*)$", re.M)
+    for time, preconditioner, numbers in case.findall(text):
+        # Four pairs at equal error, then cold, warm and their errors at each of four tolerances.
+        number = numbers.split()
+        rows.append((time, f"`{preconditioner}`", f"{number[12]} → {number[13]}",
+                     f"{number[20]} → {number[21]}"))
     print_table(("t (s)", "preconditioner", "tolerance 10⁻²", "tolerance 10⁻⁴"), rows)
 
 
 TABLES = {function.__name__: function for function in
-          (energy_of_h, energies, critical_step_of_damping, price_of_h, cost_of_stiffness, tolerances, residuals,
-           whole_step, warm_starts)}
+          (energy_of_h, energies, critical_step_of_damping, price_of_h, cost_of_stiffness,
+           tolerances, residuals, whole_step, warm_starts)}
 
 if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] not in TABLES:

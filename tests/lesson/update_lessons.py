@@ -4,11 +4,11 @@
     python3 tests/lesson/update_lessons.py            rewrites the blocks and numbers that changed
     python3 tests/lesson/update_lessons.py --check    prints a diff and exits with 1 if one changed
 
-Four kinds of HTML comments say where a text comes from. Each begins in column 1. The command may go on
-in the next lines, and each further word ("only:", "find:", "as:", "slow") has a line of its own.
+Four kinds of HTML comments say where a text comes from. Each begins in column 1. The command may go
+on in the next lines, and each further word ("only:", "find:", "as:", "slow") has its own line.
 
     <!-- console: build/release/step01_explicit/step01_explicit
-         only: stable|done -->
+         only: h_crit|done -->
     ```
     …the output of the command. With "only", a regular expression: the lines that match;
     the lines left out become a line with "…"
@@ -30,16 +30,17 @@ in the next lines, and each further word ("only:", "find:", "as:", "slow") has a
 
 A block ends with a checksum of its text. The check refuses a block that was edited by hand.
 
-"slow" commands take longer than a few seconds and run with --slow only. Without it the check compares a
-slow block with its checksum, and a slow number with the result that its comment keeps: "slow: 0.67".
+"slow" commands take longer than a few seconds and run with --slow only. Without it the check
+compares a slow block with its checksum, and a slow number with the result that its comment keeps:
+"slow: 0.67".
 
-Times are not compared: they differ from run to run. In a console they are the numbers in "in 0.4 s" and
-before "ms", in a table the columns whose headings contain "ms", "seconds" or "time". Rewriting a block
-keeps its old times; --times renews them.
+Times are not compared: they differ from run to run. In a console they are the numbers in "in 0.4 s"
+and before "ms", in a table the columns whose headings contain "ms", "seconds" or "time". Rewriting
+a block keeps its old times; --times renews them.
 
 Commands run in an empty directory with links to all files of the repository, and with build/release
-linked to the build directory: what they write to out/ is deleted afterwards. Programs of the steps run with
---no-pictures, which changes no number. A command that several places name runs once.
+linked to the build directory: what they write to out/ is deleted afterwards. Programs of the steps
+run with --no-pictures, which changes no number. A command that several places name runs once.
 """
 import argparse
 import difflib
@@ -60,9 +61,10 @@ class LessonError(Exception):
     """A comment, a command or an output that is not as it has to be: one line."""
 
 
-# Comments --------------------------------------------------------------------------------------------
+# Comments ---------------------------------------------------------------------------------------
 
-BLOCK = re.compile(r"^<!-- (console|table): (.*?)-->\n(.*?)^<!-- end(?: ([0-9a-f]{6}))? -->$", re.S | re.M)
+BLOCK = re.compile(
+    r"^<!-- (console|table): (.*?)-->\n(.*?)^<!-- end(?: ([0-9a-f]{6}))? -->$", re.S | re.M)
 DEFINITION = re.compile(r"^<!-- number (\w+): (.*?)-->$", re.S | re.M)
 INLINE = re.compile(r"<!--(\w+)-->(.*?)<!--/-->", re.S)
 
@@ -93,7 +95,7 @@ def checksum(text):
     return hashlib.sha256(text.encode()).hexdigest()[:6]
 
 
-# Commands --------------------------------------------------------------------------------------------
+# Commands ---------------------------------------------------------------------------------------
 
 STEP_PROGRAM = re.compile(r"^build/release/(step0\d_\w+)/\1\b[^|;&<>]*$")
 CTEST = re.compile(r"^ctest --test-dir build/release -V -R (\S+)$")
@@ -116,7 +118,9 @@ class Runner:
     def output(self, command):
         if command not in self.outputs:
             output = self._run(command)
-            self.outputs[command] = output.replace(f"{SOURCE}/", "…/").replace(f"{self.directory}/", "…/")
+            for root in (SOURCE, self.directory):
+                output = output.replace(f"{root}/", "…/")
+            self.outputs[command] = output
         return self.outputs[command]
 
     def _run(self, command):
@@ -143,7 +147,7 @@ class Runner:
         return "".join(self._shell(test["command"], test["name"], allowed=(0,)) for test in tests)
 
 
-# Texts -----------------------------------------------------------------------------------------------
+# Texts ---------------------------------------------------------------------------------------
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -163,7 +167,8 @@ def number_text(recipe, output):
     if recipe.find:
         match = recipe.find.search(output)
         if not match:
-            raise LessonError(f"{recipe.command}: nothing matches {recipe.find.pattern} in\n{output}")
+            raise LessonError(f"{recipe.command}: "
+                              f"nothing matches {recipe.find.pattern} in\n{output}")
         text = match[1]
     if recipe.format:
         text = recipe.format % float(text)
@@ -225,7 +230,7 @@ def with_times(text, times):
     return text
 
 
-# Documents -------------------------------------------------------------------------------------------
+# Documents ---------------------------------------------------------------------------------------
 
 class Document:
     """One README: its text as it is, and as the programs would have it."""
@@ -242,14 +247,15 @@ class Document:
 
     def _check_form(self):
         for match in re.finditer(r"^<!--\w+-->", self.text, re.M):
-            raise LessonError(f"{self.name}:{self._line(match.start())}: Markdown takes a line that begins "
-                              "with a comment for HTML: begin the line with a word")
+            raise LessonError(f"{self.name}:{self._line(match.start())}: Markdown takes a line "
+                              "that begins with a comment for HTML: begin the line with a word")
         begins = len(re.findall(r"^<!-- (?:console|table): ", self.text, re.M))
         ends = len(re.findall(r"^<!-- end\b", self.text, re.M))
         blocks = [match[3] for match in BLOCK.finditer(self.text)]
-        if begins != ends or begins != len(blocks) or any("<!-- table:" in b or "<!-- console:" in b
-                                                          for b in blocks):
-            raise LessonError(f"{self.name}: {begins} blocks begin, {ends} end, {len(blocks)} do both")
+        nested = any(re.search("^<!-- (console|table):", block, re.M) for block in blocks)
+        if begins != ends or begins != len(blocks) or nested:
+            raise LessonError(f"{self.name}: {begins} blocks begin, {ends} end, "
+                              f"and {len(blocks)} do both")
 
     def _renew_block(self, match):
         kind, head, old, seal = match[1], match[2], match[3], match[4]
@@ -278,27 +284,27 @@ class Document:
             if self.slow or not recipe.slow or not recipe.result:
                 recipe.result = number_text(recipe, self.runner.output(recipe.command))
 
-        text = INLINE.sub(lambda match: f"<!--{match[1]}-->{recipes[match[1]].result}<!--/-->", text)
-        return DEFINITION.sub(self._keep_result(recipes), text)
+        def with_result(match):
+            return f"<!--{match[1]}-->{recipes[match[1]].result}<!--/-->"
 
-    @staticmethod
-    def _keep_result(recipes):
-        """Writes the result of a slow command into its comment."""
-        def keep(match):
+        def with_kept_result(match):
             recipe = recipes[match[1]]
-            result = rf"\1: {recipe.result}"
-            return re.sub(r"^(\s+slow)\b[^\n]*?(?= *(?:-->)?$)", result, match[0], flags=re.M) if recipe.slow else match[0]
+            if not recipe.slow:
+                return match[0]
+            return re.sub(r"^(\s+slow)\b[^\n]*?(?= *(?:-->)?$)", rf"\1: {recipe.result}", match[0],
+                          flags=re.M)
 
-        return keep
+        return DEFINITION.sub(with_kept_result, INLINE.sub(with_result, text))
 
     def difference(self):
-        return "".join(difflib.unified_diff(self.text.splitlines(True), self.renewed.splitlines(True),
-                                            f"{self.name} as it is", f"{self.name} by the programs"))
+        return "".join(difflib.unified_diff(
+            self.text.splitlines(True), self.renewed.splitlines(True),
+            f"{self.name} as it is", f"{self.name} by the programs"))
 
 
 def readmes():
-    found = [path.relative_to(SOURCE) for pattern in ("README.md", "*/README.md", "tests/*/README.md")
-             for path in SOURCE.glob(pattern)]
+    patterns = ("README.md", "*/README.md", "tests/*/README.md")
+    found = [path.relative_to(SOURCE) for pattern in patterns for path in SOURCE.glob(pattern)]
     return sorted(path for path in found if path.parts[0] not in ("build", "out"))
 
 
@@ -306,7 +312,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="*", help="READMEs; all if absent")
     parser.add_argument("--build", default=SOURCE / "build/release", help="build/release if absent")
-    parser.add_argument("--check", action="store_true", help="change nothing, exit with 1 on a difference")
+    parser.add_argument("--check", action="store_true",
+                        help="change nothing, exit with 1 on a difference")
     parser.add_argument("--slow", action="store_true", help="run the slow commands as well")
     parser.add_argument("--times", action="store_true", help="renew the times as well")
     arguments = parser.parse_args()
@@ -317,7 +324,7 @@ def main():
         document = Document(str(name), path.read_text(encoding="utf-8"), runner, arguments.check,
                             arguments.slow, arguments.times)
         for line in document.edited:
-            print(f"{name}:{line}: this block was edited by hand. Edit what makes it, or the command")
+            print(f"{name}:{line}: this block was edited by hand: change its program or command")
         if document.edited or document.text != document.renewed:
             wrong = True
             sys.stdout.write(document.difference())
