@@ -43,17 +43,17 @@ class Difference {
   void add(const Outcome& a, const Outcome& b) {
     same = same && a.moves_like(b);
     farthest = std::max(farthest, distance(a, b));
-    ++ways;
+    ++configurations;
   }
   std::string to_text() const {
-    if (ways == 0) return "–";
+    if (configurations == 0) return "–";
     return same ? "the same" : text("%.0e m", farthest);
   }
 
  private:
   bool same = true;
   double farthest = 0;
-  int ways = 0;
+  int configurations = 0;
 };
 
 struct Motions {
@@ -64,15 +64,15 @@ struct Motions {
 
 Motions compare_motions(const Part& part) {
   Motions motions;
-  for (const Way& way : ways(part)) {
+  for (const Configuration& configuration : configurations(part)) {
     const auto on_12_cells = [](Scene scene) {
       scene["cells"] = "12";
       return scene;
     };
-    const Scene scene = on_12_cells(without(part, way));
+    const Scene scene = on_12_cells(without(part, configuration));
     const Outcome absent = run("run_full", scene), cut = run(part.program, scene);
-    const Outcome zero = run("run_full", on_12_cells(with_zero(part, way)));
-    (way.exact ? motions.zero_exact : motions.zero_close).add(absent, zero);
+    const Outcome zero = run("run_full", on_12_cells(with_zero(part, configuration)));
+    (configuration.exact ? motions.zero_exact : motions.zero_close).add(absent, zero);
     motions.built_without.add(absent, cut);
     for (const auto& [name, count] : absent.counts) {
       const long more = count - cut.counts.at(name);
@@ -83,8 +83,8 @@ Motions compare_motions(const Part& part) {
       else if (more != 0)
         ++motions.other_counts;
     }
-    if (std::string(way.name) != "block") continue;
-    const Outcome present = run("run_full", on_12_cells(with(part, way)));
+    if (std::string(configuration.name) != "block") continue;
+    const Outcome present = run("run_full", on_12_cells(with(part, configuration)));
     motions.bytes = present.counts.at("bytes") - absent.counts.at("bytes");
     motions.blocks = present.counts.at("blocks") - absent.counts.at("blocks");
   }
@@ -105,20 +105,20 @@ struct Times {
   std::vector<double> absent, built_without, present;
 };
 
-bool is_timed(const Way& way) {
-  const std::string name = way.name;
+bool is_timed(const Configuration& configuration) {
+  const std::string name = configuration.name;
   return name == "explicit" || name == "ldlt" || name == "block";
 }
 
-void add_round(const Part& part, const Way& way, Times& times) {
+void add_round(const Part& part, const Configuration& configuration, Times& times) {
   const auto time = [](const std::string& program, Scene scene) {
     scene["cells"] = "32";
     scene["steps"] = scene["step"] == "2" ? "200" : "12";
     return run(program, scene).microseconds;
   };
-  times.absent.push_back(time("run_full", without(part, way)));
-  times.built_without.push_back(time(part.program, without(part, way)));
-  times.present.push_back(time("run_full", with(part, way)));
+  times.absent.push_back(time("run_full", without(part, configuration)));
+  times.built_without.push_back(time(part.program, without(part, configuration)));
+  times.present.push_back(time("run_full", with(part, configuration)));
 }
 
 struct Row {
@@ -130,8 +130,8 @@ struct Row {
 std::string ratios(const Row& row, std::vector<double> Times::*above,
                    std::vector<double> Times::*below) {
   std::string cells;
-  for (const char* way : {"explicit", "ldlt", "block"}) {
-    const auto found = row.times.find(way);
+  for (const char* configuration : {"explicit", "ldlt", "block"}) {
+    const auto found = row.times.find(configuration);
     if (!cells.empty()) cells += " · ";
     cells += found == row.times.end()
                  ? "–"
@@ -186,8 +186,9 @@ std::vector<Row> measure() {
   }
   for (int round = 0; round < rounds; ++round)
     for (Row& row : rows) {
-      for (const Way& way : ways(row.part))
-        if (is_timed(way)) add_round(row.part, way, row.times[way.name]);
+      for (const Configuration& configuration : configurations(row.part))
+        if (is_timed(configuration))
+          add_round(row.part, configuration, row.times[configuration.name]);
       progress.next();
     }
   return rows;

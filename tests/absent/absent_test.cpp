@@ -6,10 +6,6 @@
 
 namespace absent_test {
 
-void PrintTo(const Part& part, std::ostream* out) {
-  *out << part.name;
-}
-
 constexpr double rounding = 1e-10;  // m, where the order of operations changes with the pattern
 
 class LeftOut : public testing::TestWithParam<Part> {};
@@ -31,14 +27,17 @@ INSTANTIATE_TEST_SUITE_P(Parts, LeftOut,
                          });
 
 // A Newton step keeps one vector that only damping needs, D v.
-std::map<std::string, long> known_costs(const Part& part, const Way& way, const Outcome& absent) {
-  if (std::string(part.program) != "run_without_damping" || !way.arguments.contains("newton"))
+std::map<std::string, long> known_costs(const Part& part, const Configuration& configuration,
+                                        const Outcome& absent) {
+  if (std::string(part.program) != "run_without_damping" ||
+      !configuration.arguments.contains("newton"))
     return {};
   return {{"allocations", 1}, {"bytes", long(sizeof(double) * absent.x.size())}};
 }
 
-void expect_same_place(const Way& way, const Outcome& absent, const Outcome& zero) {
-  if (way.exact)
+void expect_same_place(const Configuration& configuration, const Outcome& absent,
+                       const Outcome& zero) {
+  if (configuration.exact)
     EXPECT_TRUE(absent.moves_like(zero)) << distance(absent, zero) << " m";
   else
     EXPECT_LE(distance(absent, zero), rounding);
@@ -46,36 +45,36 @@ void expect_same_place(const Way& way, const Outcome& absent, const Outcome& zer
 
 TEST_P(LeftOut, CostsNothing) {
   const Part& part = GetParam();
-  for (const Way& way : ways(part)) {
-    SCOPED_TRACE(way.name);
-    const Outcome absent = run(part.full, without(part, way));
-    expect_same_place(way, absent, run(part.full, with_zero(part, way)));
+  for (const Configuration& configuration : configurations(part)) {
+    SCOPED_TRACE(configuration.name);
+    const Outcome absent = run(part.full, without(part, configuration));
+    expect_same_place(configuration, absent, run(part.full, with_zero(part, configuration)));
 
-    Outcome built_without = run(part.program, without(part, way));
+    Outcome built_without = run(part.program, without(part, configuration));
     EXPECT_TRUE(absent.moves_like(built_without)) << distance(absent, built_without) << " m";
-    for (const auto& [count, more] : known_costs(part, way, absent))
+    for (const auto& [count, more] : known_costs(part, configuration, absent))
       built_without.counts[count] += more;
     EXPECT_EQ(absent.counts, built_without.counts);
 
     // The part matters, and the program that was built without the part ignores it.
-    const Outcome present = run(part.full, with(part, way));
+    const Outcome present = run(part.full, with(part, configuration));
     EXPECT_GT(distance(present, absent), 1e-6);
     EXPECT_LT(distance(present, absent), 10) << "exploded";
-    EXPECT_GT(distance(present, run(part.program, with(part, way))), 1e-6);
+    EXPECT_GT(distance(present, run(part.program, with(part, configuration))), 1e-6);
   }
 }
 
 // Once a scene names [bend], it has hinges or springs, and their blocks.
 TEST(BendOfZero, MovesAlikeInEveryModelAndIsNotFree) {
   const Part bend{"bend", "run_without_bend"};
-  for (const Way& way : ways(bend)) {
-    const Outcome absent = run("run_full", without(bend, way));
+  for (const Configuration& configuration : configurations(bend)) {
+    const Outcome absent = run("run_full", without(bend, configuration));
     for (const char* model : {"dihedral", "bridson", "quadratic", "springs"}) {
-      SCOPED_TRACE(std::string(way.name) + ", model " + model);
-      Scene scene = with_zero(bend, way);
+      SCOPED_TRACE(std::string(configuration.name) + ", model " + model);
+      Scene scene = with_zero(bend, configuration);
       scene["bend.model"] = model;
       const Outcome zero = run("run_full", scene);
-      expect_same_place(way, absent, zero);
+      expect_same_place(configuration, absent, zero);
       for (const char* count : {"blocks", "allocations", "bytes"})
         EXPECT_GT(zero.counts.at(count), absent.counts.at(count)) << count;
     }

@@ -24,7 +24,7 @@ Scene more(Scene scene, const Scene& additional) {
 
 // Conjugate gradients leave an error that depends on the preconditioner, and ic and multigrid on the
 // pattern: they are compared where that error is rounding.
-std::vector<Way> all_ways() {
+std::vector<Configuration> all_configurations() {
   const Scene newton = {{"newton", "5"}, {"steps", "8"}}, to_rounding = {{"tolerance", "1e-13"}};
   const Scene bw98 = {{"bw98", "1"}, {"h", "0.001"}};  // definite only in small steps
   return {
@@ -59,33 +59,35 @@ bool Part::only_in_step_5() const {
   return has("toy") || (has("bend.kd") && !has("stretch.kd"));
 }
 
-std::vector<Way> ways(const Part& part) {
-  std::vector<Way> teaching = all_ways();
-  if (part.only_in_step_5()) std::erase_if(teaching, [](const Way& way) { return way.step() < 5; });
+std::vector<Configuration> configurations(const Part& part) {
+  std::vector<Configuration> teaching = all_configurations();
+  if (part.only_in_step_5())
+    std::erase_if(teaching,
+                  [](const Configuration& configuration) { return configuration.step() < 5; });
   return teaching;
 }
 
-Scene with(const Part& part, const Way& way) {
+Scene with(const Part& part, const Configuration& configuration) {
   Scene scene = {{"cells", "8"},         {"gravity", "9.81"}, {"stretch", "1000"},
                  {"stretch.kd", "0.02"}, {"shear", "500"},    {"shear.kd", "0.01"}};
-  if (way.step() == 5) scene = more(scene, {{"bend", "0.0001"}, {"bend.kd", "0.000002"}});
+  if (configuration.step() == 5) scene = more(scene, {{"bend", "0.0001"}, {"bend.kd", "0.000002"}});
   if (part.has("toy")) scene = more(scene, {{"toy", "30"}, {"toy.kd", "0.01"}});
   if (part.only_damping)
     std::erase_if(scene, [&](const auto& argument) {
       return argument.first.ends_with(".kd") && !part.has(argument.first);
     });
-  return more(scene, way.arguments);
+  return more(scene, configuration.arguments);
 }
 
-Scene without(const Part& part, const Way& way) {
-  Scene scene = with(part, way);
+Scene without(const Part& part, const Configuration& configuration) {
+  Scene scene = with(part, configuration);
   std::erase_if(scene, [&](const auto& argument) { return part.has(argument.first); });
   return scene;
 }
 
 // Its damping, too: otherwise a term of stiffness 0 would still exert a force.
-Scene with_zero(const Part& part, const Way& way) {
-  Scene scene = with(part, way);
+Scene with_zero(const Part& part, const Configuration& configuration) {
+  Scene scene = with(part, configuration);
   for (auto& [name, value] : scene)
     if (part.has(name)) value = "0";
   return scene;

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -19,20 +20,23 @@ struct Part {
   bool has(const std::string& argument) const;
   bool only_in_step_5() const;
 };
+inline void PrintTo(const Part& part, std::ostream* out) {
+  *out << part.name;
+}
 
 // How a step is taken. If not `exact`, the order of operations depends on the pattern of the matrix.
-struct Way {
+struct Configuration {
   const char* name;
   Scene arguments;
   bool exact = true;
 
   int step() const { return std::stoi(arguments.at("step")); }
 };
-std::vector<Way> ways(const Part&);  // of the steps that teach this part
+std::vector<Configuration> configurations(const Part&);  // of the steps that teach this part
 
-Scene with(const Part&, const Way&);
-Scene without(const Part&, const Way&);
-Scene with_zero(const Part&, const Way&);  // k = 0, kd = 0, g = 0
+Scene with(const Part&, const Configuration&);
+Scene without(const Part&, const Configuration&);
+Scene with_zero(const Part&, const Configuration&);  // k = 0, kd = 0, g = 0
 
 // The output of a run.
 struct Outcome {

@@ -2,7 +2,7 @@
 // up to 1e11 J, is thrown out in the first steps, often with more than there was: a single Newton step
 // overshoots. But the next steps, however long, bring the cloth back.
 #include "support/table.h"
-#include "ways/way.h"
+#include "ways/simulator.h"
 
 namespace extremes::bad_starts_test {
 

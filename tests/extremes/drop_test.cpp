@@ -1,6 +1,6 @@
 // The default settings, from the horizontal, at every time step and stiffness.
 #include "support/table.h"
-#include "ways/way.h"
+#include "ways/simulator.h"
 
 namespace extremes::drop_test {
 

@@ -16,11 +16,11 @@ TestScene scene_of(const MapWay& map, MapScene kind, double k, const Watch& watc
   TestScene scene = kind == MapScene::strip
                         ? pushed_strip(k)
                         : sheet(watch.cells, Held::by_two_corners, k, k, Gravity::on);
-  if (map.way.step == 2)
+  if (map.configuration.step == 2)
     for_each_term(scene.cloth, [&](auto& term) {
       if (term) term->kd = damping_time * k;
     });
-  if (map.way.step == 5) {
+  if (map.configuration.step == 5) {
     scene.cloth.hinges.elements = make_hinges(scene.mesh);
     scene.cloth.term<DihedralBend>() = DihedralBend(bend_stiffness);
   }
@@ -28,7 +28,7 @@ TestScene scene_of(const MapWay& map, MapScene kind, double k, const Watch& watc
 }
 
 bool is_explicit(const MapWay& map) {
-  return map.way.step <= 2;
+  return map.configuration.step <= 2;
 }
 
 int steps_of(const MapWay& map, MapScene kind, double h, const Watch& watch) {
@@ -96,10 +96,10 @@ const std::vector<MapWay>& map_ways() {
 
 Cell watch_cell(const MapWay& map, MapScene kind, double h, double k, const Watch& watch) {
   TestScene scene = scene_of(map, kind, k, watch);
-  Way way = map.way;
-  if (kind == MapScene::strip && way.method.preconditioner == "multigrid")
-    way.method.preconditioner = "ic";  // 3 cells cannot be halved
-  const auto simulator = make_simulator(way, scene.cloth);
+  Configuration configuration = map.configuration;
+  if (kind == MapScene::strip && configuration.method.preconditioner == "multigrid")
+    configuration.method.preconditioner = "ic";  // 3 cells cannot be halved
+  const auto simulator = make_simulator(configuration, scene.cloth);
   State state = scene.start;
   const double E_start = energies(scene.cloth, state).total();
   const double scale = kind == MapScene::strip ? E_start : scene.cloth.mass.sum() / 3 * g * size;
@@ -123,7 +123,7 @@ Cell watch_cell(const MapWay& map, MapScene kind, double h, double k, const Watc
 
 double explicit_limit(const MapWay& map, double k, const Watch& watch) {
   TestScene scene = scene_of(map, MapScene::drop, k, watch);
-  const auto simulator = make_simulator(map.way, scene.cloth);
+  const auto simulator = make_simulator(map.configuration, scene.cloth);
   return critical_step(*simulator, scene.cloth, scene.start);
 }
 

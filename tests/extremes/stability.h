@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ways/way.h"
+#include "ways/simulator.h"
 
 namespace extremes {
 
@@ -30,7 +30,7 @@ inline char letter(Verdict verdict) {
 struct MapWay {
   const char* name;             // in files and on the terminal
   const char *title, *finding;  // in pictures: what it is, and what is to be seen
-  Way way;
+  Configuration configuration;
 };
 // What the maps compare: every step, and step 3 with the printed matrix, with the definite one, and with
 // many Newton iterations instead of one.

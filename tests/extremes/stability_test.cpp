@@ -19,7 +19,7 @@ namespace extremes::stability_test {
 
 constexpr Watch coarse = {.cells = 4, .most = 60};
 
-const MapWay& way(const std::string& searched) {
+const MapWay& configuration(const std::string& searched) {
   for (const MapWay& map : map_ways())
     if (map.name == searched) return map;
   throw std::invalid_argument(searched + ": no such way");
@@ -30,7 +30,7 @@ std::string map_of(const char* name) {
   std::string text = "\n";
   const auto line = [&](MapScene scene, double k) {
     for (const double h : {1e-4, 5e-4, 2e-3, 1e-2, 5e-2, 0.2})
-      text += letter(watch_cell(way(name), scene, h, k, coarse).verdict);
+      text += letter(watch_cell(configuration(name), scene, h, k, coarse).verdict);
     text += '\n';
   };
   for (const double k : {1e8, 1e6, 1e4, 1e2, 1.0}) line(MapScene::drop, k);
@@ -118,9 +118,9 @@ TEST(StabilityMap, OfBending) {
 TEST(ExplicitLimit, PartsWhatGainsEnergyFromWhatDoesNot) {
   for (const char* name : {"step01", "step02"})
     for (const double k : {1e1, 1e3, 1e5, 1e7}) {
-      const double limit = explicit_limit(way(name), k, coarse);
+      const double limit = explicit_limit(configuration(name), k, coarse);
       const auto gain = [&](double h) {
-        return watch_cell(way(name), MapScene::drop, h, k, coarse).gain;
+        return watch_cell(configuration(name), MapScene::drop, h, k, coarse).gain;
       };
       EXPECT_LT(gain(0.8 * limit), 0.1) << name << ", k = " << k;
       EXPECT_FALSE(gain(1.25 * limit) < 10) << name << ", k = " << k;
@@ -131,7 +131,7 @@ TEST(ExplicitLimit, PartsWhatGainsEnergyFromWhatDoesNot) {
 // h kd: it goes with 1/k.
 TEST(ExplicitLimit, GoesWithTheRootOfKAndWithDampingWithK) {
   const auto limit = [&](const char* name, double k) {
-    return explicit_limit(way(name), k, coarse);
+    return explicit_limit(configuration(name), k, coarse);
   };
   EXPECT_NEAR(limit("step01", 1e2) / limit("step01", 1e6), 100, 0.1);
   EXPECT_LT(limit("step02", 1e2), limit("step01", 1e2));
@@ -140,10 +140,10 @@ TEST(ExplicitLimit, GoesWithTheRootOfKAndWithDampingWithK) {
 
 TEST(Frozen, IsThePrintedMatrixWhereTheDefiniteOneBuckles) {
   for (const double h : {1e-2, 1e-1, 1.0}) {
-    const Cell bw98 = watch_cell(way("step03_bw98"), MapScene::strip, h, 1e4, coarse);
+    const Cell bw98 = watch_cell(configuration("step03_bw98"), MapScene::strip, h, 1e4, coarse);
     EXPECT_EQ(bw98.verdict, Verdict::frozen) << "h = " << h;
     EXPECT_EQ(bw98.indefinite, bw98.steps) << "and says so in every step; h = " << h;
-    const Cell definite = watch_cell(way("step03"), MapScene::strip, h, 1e4, coarse);
+    const Cell definite = watch_cell(configuration("step03"), MapScene::strip, h, 1e4, coarse);
     EXPECT_GT(definite.height, 0.1) << "h = " << h;
     EXPECT_EQ(definite.indefinite, 0);
   }
@@ -152,8 +152,8 @@ TEST(Frozen, IsThePrintedMatrixWhereTheDefiniteOneBuckles) {
 // The conditioning of A goes with h² k, and the iterations that blocks leave to do with its root.
 TEST(Capped, AreBlocksWhereAMultigridIsNot) {
   const Watch watch = {.cells = 8, .fewest = 40, .most = 40};
-  const Cell block = watch_cell(way("step04_block"), MapScene::drop, 0.3, 1e8, watch),
-             grids = watch_cell(way("step04_multigrid"), MapScene::drop, 0.3, 1e8, watch);
+  const Cell block = watch_cell(configuration("step04_block"), MapScene::drop, 0.3, 1e8, watch),
+             grids = watch_cell(configuration("step04_multigrid"), MapScene::drop, 0.3, 1e8, watch);
   EXPECT_EQ(block.verdict, Verdict::capped);
   EXPECT_EQ(grids.capped, 0);
 }
@@ -161,8 +161,9 @@ TEST(Capped, AreBlocksWhereAMultigridIsNot) {
 TEST(Newton, GainsNoEnergyWhereOneIterationDoes) {
   for (const double k : {1e2, 1e5, 1e8})
     for (const double h : {0.1, 0.5}) {
-      EXPECT_GT(watch_cell(way("step03"), MapScene::drop, h, k, coarse).gain, 0.01);
-      EXPECT_LT(watch_cell(way("step03_newton"), MapScene::drop, h, k, coarse).gain, 1e-9);
+      EXPECT_GT(watch_cell(configuration("step03"), MapScene::drop, h, k, coarse).gain, 0.01);
+      EXPECT_LT(watch_cell(configuration("step03_newton"), MapScene::drop, h, k, coarse).gain,
+                1e-9);
     }
 }
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pinned.h"
-#include "ways/way.h"
+#include "ways/simulator.h"
 
 namespace cg_test {
 

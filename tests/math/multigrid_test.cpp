@@ -140,9 +140,9 @@ struct VCycle : testing::TestWithParam<Case> {
   VCycle() : sheet(161, GetParam().diagonals, {8, 8}) {
     const auto [cells, diagonals, pins] = GetParam();
     sheet.mesh = make_grid({1, 1}, cells, diagonals);
-    const std::string way = pins;
+    const std::string configuration = pins;
     const Vec3 n = sheet.random.direction();
-    if (way == "AllWays" && cells[0] >= 6) {
+    if (configuration == "AllWays" && cells[0] >= 6) {
       sheet = PinnedSheet(162, diagonals, cells);
     } else {
       sheet.model.pins.clear();
@@ -150,10 +150,13 @@ struct VCycle : testing::TestWithParam<Case> {
         for (int i = 0; i <= cells[0]; ++i) {
           const int vertex = sheet.mesh.grid->vertex(i, j);
           const bool corner = i % cells[0] == 0 && j % cells[1] == 0;
-          if (way == "Corners" ? corner : way == "TopRow" ? j == cells[1] : false)
+          if (configuration == "Corners"  ? corner
+              : configuration == "TopRow" ? j == cells[1]
+                                          : false)
             sheet.model.pins.push_back(vertex);
-          if (way == "HalfTheSheet" && 2 * j >= cells[1]) sheet.model.pins.push_back(vertex);
-          if (way == "OneDirection" && i <= cells[0] / 2)
+          if (configuration == "HalfTheSheet" && 2 * j >= cells[1])
+            sheet.model.pins.push_back(vertex);
+          if (configuration == "OneDirection" && i <= cells[0] / 2)
             sheet.model.pins.emplace_back(vertex, all_but(n));
         }
     }

@@ -1,24 +1,22 @@
 // Step 1's symplectic Euler against exact results.
 #include <gtest/gtest.h>
 
-#include "scene/make_cloth.h"
 #include "support/energy.h"
 #include "support/poses.h"
+#include "support/scenes.h"
 
 namespace time_step_test {
 
 TEST(Step01, CarriesNoElementsThatTheSceneDoesNotName) {
   const Mesh mesh = make_grid({1, 1}, {4, 4}, Diagonals::same);
-  Model model;
-  const Cloth bare = make_cloth(mesh, model);
+  const Cloth bare = make_cloth(mesh, {});
   EXPECT_TRUE(bare.triangles.elements.empty());
   EXPECT_EQ(bare.triangles.elements.capacity(), 0u);
   EXPECT_EQ(bare.springs.elements.capacity(), 0u);
   EXPECT_FALSE(bare.gravity);
   EXPECT_EQ(forces(bare, 2 * mesh.x), VecX::Zero(mesh.x.size()).eval());
 
-  model.add(ShearTerm(1));
-  EXPECT_EQ(make_cloth(mesh, model).triangles.elements.size(), 32u);
+  EXPECT_EQ(make_cloth(mesh, model(0, 1, Gravity::off)).triangles.elements.size(), 32u);
 }
 
 // Stretch and shear are two tables of the scene: each acts alone, and together they add up.
@@ -26,47 +24,35 @@ TEST(Step01, ForcesOfTheTermsAddUp) {
   const Mesh mesh = make_grid({1, 1}, {3, 3}, Diagonals::alternating);
   Random random(51);
   const VecX x = mesh.x + random.vector(int(mesh.x.size()), 0.1);
-  Model stretch, shear, both;
-  both.gravity = Vec3(0, -9.81, 0);
-  stretch.add(StretchTerm(100));
-  shear.add(ShearTerm(50));
-  both.add(StretchTerm(100)).add(ShearTerm(50));
-  Cloth weight = make_cloth(mesh, {});
-  weight.gravity = both.gravity;
-  const VecX sum =
-      forces(make_cloth(mesh, stretch), x) + forces(make_cloth(mesh, shear), x) + forces(weight, x);
-  EXPECT_LT((forces(make_cloth(mesh, both), x) - sum).norm(), 1e-14 * sum.norm());
-  EXPECT_NEAR(forces(weight, x).sum(), -9.81 * 0.2, 1e-14);  // ρ g A
+  const auto forces_of = [&](double k, double k_shear, Gravity gravity) {
+    return forces(make_cloth(mesh, model(k, k_shear, gravity)), x);
+  };
+  const VecX weight = forces_of(0, 0, Gravity::on);
+  const VecX sum = forces_of(100, 0, Gravity::off) + forces_of(0, 50, Gravity::off) + weight;
+  EXPECT_LT((forces_of(100, 50, Gravity::on) - sum).norm(), 1e-14 * sum.norm());
+  EXPECT_NEAR(weight.sum(), -g * density, 1e-14);  // of a square metre
 }
 
 // A free fall is exact for every vertex:  v_n = n h g,   x_n = x_0 + h² g n (n + 1)/2
 TEST(Step01, FreeClothFallsLikeAStone) {
-  const Mesh mesh = make_grid({1, 1}, {4, 4}, Diagonals::same);
-  Model model;
-  model.gravity = Vec3(0, -9.81, 0);
-  model.add(StretchTerm(100));
-  model.add(ShearTerm(50));
-  const Cloth cloth = make_cloth(mesh, model);
-  State state{mesh.x, VecX::Zero(mesh.x.size())};
+  const auto [mesh, cloth, start, end] = sheet(4, Held::free, 100, 50, Gravity::on);
+  State state = start;
   step01::System system(cloth);
   const int n = 100;
   const double h = 1e-3;
   for (int i = 0; i < n; ++i) step01::time_step(cloth, h, state, system);
   for (int i = 0; i < mesh.vertices(); ++i) {
     const Vec3 fallen = state.x.segment<3>(3 * i) - mesh.x.segment<3>(3 * i);
-    EXPECT_LT((fallen - h * h * n * (n + 1) / 2 * *model.gravity).norm(), 1e-13) << "vertex " << i;
-    EXPECT_LT((state.v.segment<3>(3 * i) - n * h * *model.gravity).norm(), 1e-13) << "vertex " << i;
+    EXPECT_LT((fallen - h * h * n * (n + 1) / 2 * *cloth.gravity).norm(), 1e-13) << "vertex " << i;
+    EXPECT_LT((state.v.segment<3>(3 * i) - n * h * *cloth.gravity).norm(), 1e-13) << "vertex " << i;
   }
 }
 
 // Momentum changes by weight and nothing else, in every motion of the cloth.
 TEST(Step01, MomentumIsThatOfTheWeightAlone) {
   const Mesh mesh = make_grid({1, 0.7}, {4, 3}, Diagonals::alternating);
-  Model model;
-  model.gravity = Vec3(1, -9.81, 2);
-  model.add(StretchTerm(100));
-  model.add(ShearTerm(50));
-  const Cloth cloth = make_cloth(mesh, model);
+  Cloth cloth = make_cloth(mesh, model(100, 50, Gravity::on));
+  cloth.gravity = Vec3(1, -9.81, 2);
   Random random(52);
   State state{mesh.x, random.vector(int(mesh.x.size()), 2)};
   step01::System system(cloth);
@@ -77,22 +63,17 @@ TEST(Step01, MomentumIsThatOfTheWeightAlone) {
   };
   const Vec3 before = momentum();
   for (int i = 0; i < 500; ++i) step01::time_step(cloth, 1e-3, state, system);
-  EXPECT_LT((momentum() - before - 0.5 * 0.2 * 0.7 * *model.gravity).norm(), 1e-12);
+  EXPECT_LT((momentum() - before - 0.5 * density * 0.7 * *cloth.gravity).norm(), 1e-12);
 }
 
 // Not "nearly": a pinned vertex has the same bits after the run.
 TEST(Step01, PinsDoNotMove) {
-  const Mesh mesh = make_grid({1, 1}, {4, 4}, Diagonals::same);
-  Model model;
-  model.pins = {20, 24};
-  model.gravity = Vec3(0, -9.81, 0);
-  model.add(StretchTerm(100));
-  model.add(ShearTerm(50));
-  const Cloth cloth = make_cloth(mesh, model);
-  State state{mesh.x, VecX::Zero(mesh.x.size())};
+  const auto [mesh, cloth, begin, end] = sheet(4, Held::by_two_corners, 100, 50, Gravity::on);
+  State state = begin;
   step01::System system(cloth);
   for (int i = 0; i < 1000; ++i) step01::time_step(cloth, 1e-3, state, system);
-  for (const Pin& pin : model.pins) {
+  ASSERT_EQ(cloth.pins.size(), 2u);
+  for (const Pin& pin : cloth.pins) {
     const Vec3 x = state.x.segment<3>(3 * pin.vertex), start = mesh.x.segment<3>(3 * pin.vertex);
     EXPECT_EQ(x, start) << "pin " << pin.vertex;
     EXPECT_EQ(state.v.segment<3>(3 * pin.vertex), Vec3::Zero()) << "pin " << pin.vertex;

@@ -1,6 +1,6 @@
 #include "support/outcome.h"
 
-#include "ways/way.h"
+#include "ways/simulator.h"
 
 namespace extremes {
 

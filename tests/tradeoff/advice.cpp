@@ -17,23 +17,23 @@ struct Comparison {
 };
 
 std::optional<Comparison> compare(const Study& study) {
-  std::vector<Score> explicit_ways, implicit_ways;
+  std::vector<Score> explicit_scores, implicit_scores;
   for (const Score& s : study.scores)
-    (s.trial.way.step < 3 ? explicit_ways : implicit_ways).push_back(s);
+    (s.trial.configuration.step < 3 ? explicit_scores : implicit_scores).push_back(s);
   std::optional<Comparison> last;
   for (double error : asked_errors) {
-    const auto a = cheapest(explicit_ways, error), b = cheapest(implicit_ways, error);
+    const auto a = cheapest(explicit_scores, error), b = cheapest(implicit_scores, error);
     if (a && b) last = {error, *a, *b};
   }
   return last;
 }
 
 std::string way_of(const Score& s) {
-  return name_of(s.trial.way);
+  return name_of(s.trial.configuration);
 }
 
 bool is_explicit(const Score& s) {
-  return s.trial.way.step < 3;
+  return s.trial.configuration.step < 3;
 }
 
 // On the front implicit ways come first, or explicit ones, or only one of the two kinds is there.
@@ -97,9 +97,9 @@ std::string command_of(const Study& study, const Score& s) {
   const auto mesh =
       std::find_if(study.meshes.begin(), study.meshes.end(),
                    [&](const StudyScene& candidate) { return cells_of(candidate) == s.cells; });
-  const std::string program = program_of(s.trial.way.step);
+  const std::string program = program_of(s.trial.configuration.step);
   return for_shell(std::filesystem::path(PROGRAM_DIRECTORY) / program / program) + " " +
-         for_shell(mesh->scene.file) + " --h " + number(s.h) + options_of(s.trial.way) +
+         for_shell(mesh->scene.file) + " --h " + number(s.h) + options_of(s.trial.configuration) +
          mesh->options + " --frames 1 --no-pictures --out " + for_shell(study.out / "run");
 }
 

@@ -57,7 +57,7 @@ std::optional<Score> most_accurate(const std::vector<Score>& scores, double base
 }
 
 std::optional<std::pair<Score, Score>> crossover(const std::vector<Score>& front) {
-  const auto is_explicit = [](const Score& s) { return s.trial.way.step < 3; };
+  const auto is_explicit = [](const Score& s) { return s.trial.configuration.step < 3; };
   const auto first = std::find_if(front.begin(), front.end(), is_explicit);
   if (first == front.begin() || first == front.end()) return {};
   return std::pair(*(first - 1), *first);

@@ -13,24 +13,33 @@ namespace {
 struct Series {
   const char* title;
   const char* style;  // gnuplot's, of its line and points
-  bool (*holds)(const Way&);
+  bool (*holds)(const Configuration&);
 };
 
-bool plain(const Way& way) {
-  return way.step > 2 && way.method.newton == 1 && way.method.jacobian == Jacobian::definite;
+bool plain(const Configuration& configuration) {
+  return configuration.step > 2 && configuration.method.newton == 1 &&
+         configuration.method.jacobian == Jacobian::definite;
 }
 
 const std::vector<Series> all_series = {
-    {"explicit", "lt 2", [](const Way& way) { return way.step < 3; }},
-    {"implicit, direct solver", "lt 1", [](const Way& way) { return plain(way) && way.step == 3; }},
+    {"explicit", "lt 2", [](const Configuration& configuration) { return configuration.step < 3; }},
+    {"implicit, direct solver", "lt 1",
+     [](const Configuration& configuration) {
+       return plain(configuration) && configuration.step == 3;
+     }},
     {"implicit, conjugate gradients", "lt 3",
-     [](const Way& way) { return plain(way) && way.step > 3; }},
+     [](const Configuration& configuration) {
+       return plain(configuration) && configuration.step > 3;
+     }},
     {"implicit, matrix of BW98", "lt 6",
-     [](const Way& way) {
-       return way.step > 2 && way.method.newton == 1 && way.method.jacobian == Jacobian::bw98;
+     [](const Configuration& configuration) {
+       return configuration.step > 2 && configuration.method.newton == 1 &&
+              configuration.method.jacobian == Jacobian::bw98;
      }},
     {"implicit, Newton's method", "lt 4",
-     [](const Way& way) { return way.step > 2 && way.method.newton > 1; }},
+     [](const Configuration& configuration) {
+       return configuration.step > 2 && configuration.method.newton > 1;
+     }},
 };
 
 std::string data_block(const std::string& name, const Study& study,
@@ -59,7 +68,7 @@ std::string labels(const Study& study, const std::vector<Score>& front) {
   for (size_t i = 0; i < marked.size(); ++i)
     text += format(
         "set label %d \"%s\\nh = %.3g h_{crit}\" at %g,%g right offset -1.2,-0.4 font ',11'\n",
-        int(100 + i), name_of(marked[i].trial.way).c_str(),
+        int(100 + i), name_of(marked[i].trial.configuration).c_str(),
         marked[i].h / study.h_crit_of(marked[i]), study.seconds(marked[i]), marked[i].judged());
   return text;
 }
@@ -74,7 +83,7 @@ std::string series_and_front(const Study& study, const std::vector<Score>& front
     const auto& [title, style, holds] = all_series[i];
     std::vector<Score> kept;
     for (const Score& s : study.scores)
-      if (s.is_answer() && holds(s.trial.way)) kept.push_back(s);
+      if (s.is_answer() && holds(s.trial.configuration)) kept.push_back(s);
     if (kept.empty()) continue;
     const std::string name = "series" + std::to_string(i);
     data += data_block(name, study, kept) + data_block(name + "_front", study, pareto_front(kept));

@@ -52,22 +52,25 @@ const std::vector<Column>& columns() {
       whole(
           "cells", [](auto& s) -> auto& { return s.cells; }),
       whole(
-          "step", [](auto& s) -> auto& { return s.trial.way.step; }),
+          "step", [](auto& s) -> auto& { return s.trial.configuration.step; }),
       word(
-          "solver", [](auto& s) -> auto& { return s.trial.way.method.solver; }),
+          "solver", [](auto& s) -> auto& { return s.trial.configuration.method.solver; }),
       word(
-          "preconditioner", [](auto& s) -> auto& { return s.trial.way.method.preconditioner; }),
+          "preconditioner",
+          [](auto& s) -> auto& { return s.trial.configuration.method.preconditioner; }),
       real(
-          "tolerance", [](auto& s) -> auto& { return s.trial.way.method.tolerance; }),
+          "tolerance", [](auto& s) -> auto& { return s.trial.configuration.method.tolerance; }),
       {"jacobian",
        [](const Score& s) {
-         return std::string(s.trial.way.method.jacobian == Jacobian::bw98 ? "bw98" : "definite");
+         return std::string(s.trial.configuration.method.jacobian == Jacobian::bw98 ? "bw98"
+                                                                                    : "definite");
        },
        [](const std::string& text, Score& s) {
-         s.trial.way.method.jacobian = text == "bw98" ? Jacobian::bw98 : Jacobian::definite;
+         s.trial.configuration.method.jacobian =
+             text == "bw98" ? Jacobian::bw98 : Jacobian::definite;
        }},
       whole(
-          "newton", [](auto& s) -> auto& { return s.trial.way.method.newton; }),
+          "newton", [](auto& s) -> auto& { return s.trial.configuration.method.newton; }),
       real(
           "h", [](auto& s) -> auto& { return s.h; }),
       whole(
@@ -130,7 +133,7 @@ std::vector<std::string> split(std::string_view line) {
 }
 
 std::string row(const std::string& study, const Score& score, double seconds) {
-  std::string line = study + "," + name_of(score.trial.way);
+  std::string line = study + "," + name_of(score.trial.configuration);
   for (const Column& column : columns()) line += "," + column.write(score);
   char text[32];
   std::snprintf(text, sizeof text, ",%.6g", seconds);
@@ -170,7 +173,7 @@ Record::Record(const std::filesystem::path& file_, const std::string& study_)
 const Score* Record::find(int cells, const Trial& trial) const {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Score& score) {
     return score.cells == cells && score.trial.steps == trial.steps &&
-           name_of(score.trial.way) == name_of(trial.way);
+           name_of(score.trial.configuration) == name_of(trial.configuration);
   });
   return found == all.end() ? nullptr : &*found;
 }

@@ -4,7 +4,7 @@
 #include "support/cpu_time.h"
 #include "support/reference.h"
 #include "support/text.h"
-#include "ways/way.h"
+#include "ways/simulator.h"
 
 namespace tradeoff {
 

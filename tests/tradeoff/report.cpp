@@ -12,15 +12,15 @@ namespace {
 std::vector<std::string> kinds_of(const std::vector<Score>& scores) {
   std::vector<std::string> kinds;
   for (const Score& score : scores)
-    if (std::find(kinds.begin(), kinds.end(), kind_of(score.trial.way)) == kinds.end())
-      kinds.push_back(kind_of(score.trial.way));
+    if (std::find(kinds.begin(), kinds.end(), kind_of(score.trial.configuration)) == kinds.end())
+      kinds.push_back(kind_of(score.trial.configuration));
   return kinds;
 }
 
 std::vector<Score> of_kind(const std::vector<Score>& scores, const std::string& kind) {
   std::vector<Score> kept;
   for (const Score& score : scores)
-    if (kind_of(score.trial.way) == kind) kept.push_back(score);
+    if (kind_of(score.trial.configuration) == kind) kept.push_back(score);
   return kept;
 }
 
@@ -57,7 +57,7 @@ void print_front(const Study& study) {
     std::printf("  %9.1e %9.1e %9.1e", s.error, s.energy_error, s.stretch_error);
     if (exact) std::printf(" %9.1e", s.total_error);
     std::printf(" %9.3g %9.3g  %-30s %8ld %8ld %8ld %9.3g", 1e3 * study.seconds(s), s.h,
-                name_of(s.trial.way).c_str(), s.counts.forces, s.counts.assemblies,
+                name_of(s.trial.configuration).c_str(), s.counts.forces, s.counts.assemblies,
                 s.counts.products, 1e-6 * double(s.counts.bytes));
     if (exact) std::printf("%7d", s.cells);
     std::printf("\n");
@@ -73,8 +73,9 @@ void print_statistics(const Study& study) {
   std::printf("and the smallest h that came to an end\n\n  %-30s %10s %10s %10s %10s %10s\n", "way",
               "h", "ms", "energy/J", "lowest/m", "stretch");
   const auto print = [&](const Score& s) {
-    std::printf("  %-30s %10.3g %10.3g %10.4f %10.4f %10.4f\n", name_of(s.trial.way).c_str(), s.h,
-                1e3 * study.seconds(s), s.energy, s.lowest, s.stretch);
+    std::printf("  %-30s %10.3g %10.3g %10.4f %10.4f %10.4f\n",
+                name_of(s.trial.configuration).c_str(), s.h, 1e3 * study.seconds(s), s.energy,
+                s.lowest, s.stretch);
   };
   for (const std::string& kind : kinds_of(study.scores)) {
     std::vector<Score> done;

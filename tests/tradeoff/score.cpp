@@ -34,7 +34,7 @@ std::string trouble(const StudyScene& study, const State& state, long n, long st
 // The steps alone are timed; what is done once, before the first, is not.
 Motion move(const StudyScene& study, const Trial& trial, double patience) {
   Motion motion{study.scene.cloth, study.scene.start, {}, 0, ""};
-  const auto simulator = make_simulator(trial.way, motion.cloth);
+  const auto simulator = make_simulator(trial.configuration, motion.cloth);
   const double h = trial.h(study.scene.time.end);
   const long between_looks = std::max(1L, trial.steps / 20);
   for (long n = 0; n < trial.steps && motion.outcome.empty();) {

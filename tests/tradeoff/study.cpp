@@ -20,9 +20,10 @@ struct Task {
 
 // Of one run: explicit steps take some 20 ns a triangle, plain implicit ones forty times that.
 double guess(const Trial& trial, const Cloth& cloth) {
-  double work = trial.way.step < 3 ? 1 : 40;
-  if (trial.way.step == 3 && trial.way.method.solver == "inverse") work += cloth.vertices();
-  if (trial.way.method.newton > 1) work *= 12;
+  double work = trial.configuration.step < 3 ? 1 : 40;
+  if (trial.configuration.step == 3 && trial.configuration.method.solver == "inverse")
+    work += cloth.vertices();
+  if (trial.configuration.method.newton > 1) work *= 12;
   return 2e-8 * work * double(trial.steps) * double(cloth.triangles.elements.size());
 }
 
@@ -34,11 +35,11 @@ std::vector<Task> tasks_of(const Plan& plan, const Study& study) {
   std::vector<Task> tasks;
   for (size_t i = 0; i < study.meshes.size(); ++i) {
     const StudyScene& mesh = study.meshes[i];
-    for (const Way& way : ways_of(mesh.steps, plan.quick))
-      for (long steps : step_counts(way, mesh.scene.time.end, study.h_crit[i])) {
-        const double once = guess({way, steps}, mesh.scene.cloth), baseline = 0.004;
+    for (const Configuration& configuration : configurations_of(mesh.steps, plan.quick))
+      for (long steps : step_counts(configuration, mesh.scene.time.end, study.h_crit[i])) {
+        const double once = guess({configuration, steps}, mesh.scene.cloth), baseline = 0.004;
         const double times = std::clamp(patience_of(plan) / once, 3.0, 9.0);
-        tasks.push_back({i, {way, steps}, times * (once + baseline)});
+        tasks.push_back({i, {configuration, steps}, times * (once + baseline)});
       }
   }
   std::stable_sort(tasks.begin(), tasks.end(),

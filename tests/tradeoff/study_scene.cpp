@@ -6,7 +6,7 @@
 #include "support/scenes.h"
 #include "support/text.h"
 #include "text/text_file.h"
-#include "ways/way.h"
+#include "ways/simulator.h"
 
 namespace tradeoff {
 

@@ -84,7 +84,7 @@ bool answer(const Study& study, const std::optional<Score>& best, const std::str
     return false;
   }
   std::printf("\n%s: %s, h = %.3g s; error %.6e, %.3g s of stepping\n  %s && \\\n  %s\n",
-              question.c_str(), name_of(best->trial.way).c_str(), best->h, best->judged(),
+              question.c_str(), name_of(best->trial.configuration).c_str(), best->h, best->judged(),
               study.seconds(*best), command_of(study, *best).c_str(),
               scoring_command_of(study, *best).c_str());
   return true;

@@ -29,20 +29,22 @@ class TradeOff : public testing::Test {
     return study;
   }
 
-  Score run(const Study& study, const Way& way, long steps, size_t mesh = 0) {
-    return run_trial(study.meshes[mesh], study.references[mesh], {way, steps}, 0.05, baseline);
+  Score run(const Study& study, const Configuration& configuration, long steps, size_t mesh = 0) {
+    return run_trial(study.meshes[mesh], study.references[mesh], {configuration, steps}, 0.05,
+                     baseline);
   }
 
   // The order over the last halving of h, of `steps` and twice as many.
-  double order(const Study& study, const Way& way, long steps) {
-    return std::log2(run(study, way, steps).error / run(study, way, 2 * steps).error);
+  double order(const Study& study, const Configuration& configuration, long steps) {
+    return std::log2(run(study, configuration, steps).error /
+                     run(study, configuration, 2 * steps).error);
   }
 
   std::filesystem::path directory;
   Baseline baseline;
 };
 
-const Way implicit{4, {.tolerance = 1e-8}};
+const Configuration implicit{4, {.tolerance = 1e-8}};
 
 // The gates of every method of order 1: from 0.9 to 1.1.
 TEST_F(TradeOff, SeesTheOrdersOfItsMethods) {
@@ -101,9 +103,10 @@ std::vector<Score> by_bytes(std::vector<Score> scores) {
 TEST_F(TradeOff, FindsWhereExplicitStepsTakeOver) {
   const auto turn_of = [&](const Study& study) {
     std::vector<Score> scores;
-    for (const Way& way : {Way{1}, Way{4, {.tolerance = 1e-2}}})
-      for (long steps : step_counts(way, study.meshes[0].scene.time.end, study.h_crit[0]))
-        scores.push_back(run(study, way, steps));
+    for (const Configuration& configuration :
+         {Configuration{1}, Configuration{4, {.tolerance = 1e-2}}})
+      for (long steps : step_counts(configuration, study.meshes[0].scene.time.end, study.h_crit[0]))
+        scores.push_back(run(study, configuration, steps));
     EXPECT_FALSE(scores.front().done()) << "2 h_crit explodes";
     return crossover(pareto_front(by_bytes(scores)));
   };
@@ -128,13 +131,13 @@ std::string said_by(const std::string& command) {
 }
 
 TEST_F(TradeOff, ItsCommandsGiveTheErrorsThatItPrints) {
-  for (const auto& [scene, way, steps] :
-       {std::tuple("curtain", Way{1}, 80L),
-        std::tuple("trampoline", Way{4, {.tolerance = 1e-2}}, 50L),
-        std::tuple("flap", Way{5, {.newton = 20, .preconditioner = "ic"}}, 50L),
-        std::tuple("damped-curtain", Way{3, {.jacobian = Jacobian::bw98}}, 40L)}) {
+  for (const auto& [scene, configuration, steps] :
+       {std::tuple("curtain", Configuration{1}, 80L),
+        std::tuple("trampoline", Configuration{4, {.tolerance = 1e-2}}, 50L),
+        std::tuple("flap", Configuration{5, {.newton = 20, .preconditioner = "ic"}}, 50L),
+        std::tuple("damped-curtain", Configuration{3, {.jacobian = Jacobian::bw98}}, 40L)}) {
     const Study study = study_of({scene});
-    const Score printed = run(study, way, steps);
+    const Score printed = run(study, configuration, steps);
     ASSERT_EQ(printed.outcome, "done");
     const std::string said = said_by(command_of(study, printed) + " > /dev/null && " +
                                      scoring_command_of(study, printed));
@@ -215,7 +218,7 @@ frames = 1
 
 Score invented(double error, double cost, int step = 1) {
   Score score;
-  score.trial.way.step = step;
+  score.trial.configuration.step = step;
   score.outcome = "done";
   score.error = error;
   score.baselines = cost;

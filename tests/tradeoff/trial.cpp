@@ -17,87 +17,89 @@ std::string power_of_ten(double value) {
   return text;
 }
 
-std::string describe(const Way& way, const std::string& tolerance) {
-  std::string name = std::string(program_of(way.step)).substr(0, 6);
-  const Method& m = way.method;
-  if (way.step == 3) name += " " + m.solver;
-  if (way.step > 3) name += " " + m.preconditioner + tolerance;
-  if (way.step > 2 && m.jacobian == Jacobian::bw98) name += " bw98";
-  if (way.step > 2 && m.newton > 1) name += " newton";
+std::string describe(const Configuration& configuration, const std::string& tolerance) {
+  std::string name = std::string(program_of(configuration.step)).substr(0, 6);
+  const Method& m = configuration.method;
+  if (configuration.step == 3) name += " " + m.solver;
+  if (configuration.step > 3) name += " " + m.preconditioner + tolerance;
+  if (configuration.step > 2 && m.jacobian == Jacobian::bw98) name += " bw98";
+  if (configuration.step > 2 && m.newton > 1) name += " newton";
   return name;
 }
 
 // The choices of the implicit steps, each multiplied with those so far.
 template <class Choices, class Set>
-void cross(std::vector<Way>& ways, const Choices& choices, const Set& set) {
-  std::vector<Way> all;
-  for (const Way& way : ways)
+void cross(std::vector<Configuration>& configurations, const Choices& choices, const Set& set) {
+  std::vector<Configuration> all;
+  for (const Configuration& configuration : configurations)
     for (const auto& choice : choices) {
-      all.push_back(way);
+      all.push_back(configuration);
       set(all.back().method, choice);
     }
-  ways = all;
+  configurations = all;
 }
 
-std::vector<Way> implicit_ways(int step, bool few) {
+std::vector<Configuration> implicit_configurations(int step, bool few) {
   using Names = std::vector<std::string>;
-  std::vector<Way> ways = {{step}};
+  std::vector<Configuration> configurations = {{step}};
   if (step == 3)
-    cross(ways, few ? Names{"ldlt"} : Names{"ldlt", "cholmod", "inverse"},
+    cross(configurations, few ? Names{"ldlt"} : Names{"ldlt", "cholmod", "inverse"},
           [](Method& m, const std::string& name) { m.solver = name; });
   else {
-    cross(ways,
+    cross(configurations,
           few ? Names{"block", "multigrid"} : Names{"none", "jacobi", "block", "ic", "multigrid"},
           [](Method& m, const std::string& name) { m.preconditioner = name; });
-    cross(ways, few ? std::vector{1e-2, 1e-4} : std::vector{1e-1, 1e-2, 1e-4, 1e-8},
+    cross(configurations, few ? std::vector{1e-2, 1e-4} : std::vector{1e-1, 1e-2, 1e-4, 1e-8},
           [](Method& m, double tolerance) { m.tolerance = tolerance; });
   }
-  cross(ways, std::vector{Jacobian::definite, Jacobian::bw98},
+  cross(configurations, std::vector{Jacobian::definite, Jacobian::bw98},
         [](Method& m, Jacobian jacobian) { m.jacobian = jacobian; });
-  cross(ways, std::vector{1, 20}, [](Method& m, int newton) { m.newton = newton; });
+  cross(configurations, std::vector{1, 20}, [](Method& m, int newton) { m.newton = newton; });
   if (few)
-    std::erase_if(ways, [](const Way& way) {
-      return way.method.newton > 1 && way.method.jacobian == Jacobian::bw98;
+    std::erase_if(configurations, [](const Configuration& configuration) {
+      return configuration.method.newton > 1 && configuration.method.jacobian == Jacobian::bw98;
     });
-  return ways;
+  return configurations;
 }
 
 }  // namespace
 
-std::string name_of(const Way& way) {
-  return describe(way, way.step > 3 ? " " + power_of_ten(way.method.tolerance) : "");
+std::string name_of(const Configuration& configuration) {
+  return describe(configuration,
+                  configuration.step > 3 ? " " + power_of_ten(configuration.method.tolerance) : "");
 }
 
-std::string kind_of(const Way& way) {
-  return describe(way, "");
+std::string kind_of(const Configuration& configuration) {
+  return describe(configuration, "");
 }
 
-std::string options_of(const Way& way) {
+std::string options_of(const Configuration& configuration) {
   std::string options;
-  const Method& m = way.method;
-  if (way.step == 3 && m.solver != defaults.solver) options += " --solver " + m.solver;
-  if (way.step > 3 && m.preconditioner != defaults.preconditioner)
+  const Method& m = configuration.method;
+  if (configuration.step == 3 && m.solver != defaults.solver) options += " --solver " + m.solver;
+  if (configuration.step > 3 && m.preconditioner != defaults.preconditioner)
     options += " --preconditioner " + m.preconditioner;
-  if (way.step > 3 && m.tolerance != defaults.tolerance)
+  if (configuration.step > 3 && m.tolerance != defaults.tolerance)
     options += " --tolerance " + power_of_ten(m.tolerance);
-  if (way.step > 2 && m.jacobian != defaults.jacobian) options += " --jacobian bw98";
-  if (way.step > 2 && m.newton != defaults.newton)
+  if (configuration.step > 2 && m.jacobian != defaults.jacobian) options += " --jacobian bw98";
+  if (configuration.step > 2 && m.newton != defaults.newton)
     options += " --newton " + std::to_string(m.newton);
   return options;
 }
 
-std::vector<Way> ways_of(const std::vector<int>& steps, bool few) {
-  std::vector<Way> ways;
+std::vector<Configuration> configurations_of(const std::vector<int>& steps, bool few) {
+  std::vector<Configuration> configurations;
   for (int step : steps) {
-    const std::vector<Way> more = step < 3 ? std::vector<Way>{{step}} : implicit_ways(step, few);
-    ways.insert(ways.end(), more.begin(), more.end());
+    const std::vector<Configuration> more =
+        step < 3 ? std::vector<Configuration>{{step}} : implicit_configurations(step, few);
+    configurations.insert(configurations.end(), more.begin(), more.end());
   }
-  return ways;
+  return configurations;
 }
 
-std::vector<long> step_counts(const Way& way, double end, double h_crit) {
+std::vector<long> step_counts(const Configuration& configuration, double end, double h_crit) {
   std::vector<long> counts;
-  if (way.step < 3)
+  if (configuration.step < 3)
     for (double part : {2.0, 0.95, 0.5, 0.25, 0.125, 0.0625, 0.03125})
       counts.push_back(std::max(1L, std::lround(std::ceil(end / (part * h_crit)))));
   else

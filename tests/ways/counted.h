@@ -3,7 +3,7 @@
 #pragma once
 #include "math/energy.h"
 #include "math/pattern.h"
-#include "ways/way.h"
+#include "ways/simulator.h"
 
 inline thread_local Counts* counting = nullptr;
 

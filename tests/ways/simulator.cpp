@@ -1,4 +1,4 @@
-#include "ways/way.h"
+#include "ways/simulator.h"
 
 #include <stdexcept>
 #include <string>
@@ -115,20 +115,23 @@ std::unique_ptr<Simulator> make_implicit(Cloth& cloth, const Method& method, Tim
 
 }  // namespace
 
-std::unique_ptr<Simulator> make_simulator(const Way& way, Cloth& cloth) {
-  switch (way.step) {
+std::unique_ptr<Simulator> make_simulator(const Configuration& configuration, Cloth& cloth) {
+  switch (configuration.step) {
     case 1:
       return make_explicit<step01::System>(cloth, false, step01::time_step, step01::forces);
     case 2:
       return make_explicit<step02::System>(cloth, true, step02::time_step, step02::forces);
     case 3:
-      return make_implicit<step03::System>(cloth, way.method, step03::time_step, step03::forces);
+      return make_implicit<step03::System>(cloth, configuration.method, step03::time_step,
+                                           step03::forces);
     case 4:
-      return make_implicit<step04::System>(cloth, way.method, step04::time_step, step04::forces);
+      return make_implicit<step04::System>(cloth, configuration.method, step04::time_step,
+                                           step04::forces);
     case 5:
-      return make_implicit<step05::System>(cloth, way.method, step05::time_step, step05::forces);
+      return make_implicit<step05::System>(cloth, configuration.method, step05::time_step,
+                                           step05::forces);
     default:
-      throw std::invalid_argument("there is no step " + std::to_string(way.step));
+      throw std::invalid_argument("there is no step " + std::to_string(configuration.step));
   }
 }
 

@@ -4,9 +4,9 @@
 #include "step02_damping/time_step.h"
 #include "step05_bend/time_step.h"
 #include "support/scenes.h"
-#include "ways/way.h"
+#include "ways/simulator.h"
 
-namespace ways_test {
+namespace simulator_test {
 
 TestScene damped_sheet() {
   TestScene scene = sheet(6, Held::by_two_corners, 1000, 500, Gravity::on);
@@ -19,13 +19,13 @@ struct Result {
   Counts counts;
 };
 
-Result run(const Way& way, TestScene scene, double h, int steps) {
-  const auto simulator = make_simulator(way, scene.cloth);
+Result run(const Configuration& configuration, TestScene scene, double h, int steps) {
+  const auto simulator = make_simulator(configuration, scene.cloth);
   for (int i = 0; i < steps; ++i) simulator->step(h, scene.start);
   return {scene.start, simulator->counts()};
 }
 
-TEST(Ways, AreTheStepsToTheLastBit) {
+TEST(Simulators, AreTheStepsToTheLastBit) {
   TestScene scene = damped_sheet();
   State state = scene.start;
   step02::System two(scene.cloth);
@@ -35,12 +35,12 @@ TEST(Ways, AreTheStepsToTheLastBit) {
   state = scene.start;
   step05::System five(scene.cloth);
   for (int i = 0; i < 30; ++i) step05::time_step(scene.cloth, 0.01, state, five);
-  const Result way = run({5}, scene, 0.01, 30);
-  EXPECT_EQ(way.state.x, state.x);
-  EXPECT_EQ(way.counts.iterations, five.counts.iterations);
+  const Result configuration = run({5}, scene, 0.01, 30);
+  EXPECT_EQ(configuration.state.x, state.x);
+  EXPECT_EQ(configuration.counts.iterations, five.counts.iterations);
 }
 
-TEST(Ways, CountForcesOfExplicitSteps) {
+TEST(Simulators, CountForcesOfExplicitSteps) {
   const TestScene scene = sheet(6, Held::by_two_corners, 1000, 500, Gravity::on);
   const Result once = run({1}, scene, 1e-4, 1), often = run({1}, scene, 1e-4, 30);
   EXPECT_EQ(often.counts.forces, 30);
@@ -53,7 +53,7 @@ TEST(Ways, CountForcesOfExplicitSteps) {
 }
 
 // K v, and A Δv once before the first iteration and once in each.
-TEST(Ways, CountWhatAPlainImplicitStepDoes) {
+TEST(Simulators, CountWhatAPlainImplicitStepDoes) {
   for (int step : {3, 4, 5}) {
     const Counts c = run({step}, damped_sheet(), 0.01, 10).counts;
     EXPECT_EQ(c.forces, 10);
@@ -64,7 +64,7 @@ TEST(Ways, CountWhatAPlainImplicitStepDoes) {
   }
 }
 
-TEST(Ways, CountTheEnergiesOfNewtonsMethod) {
+TEST(Simulators, CountTheEnergiesOfNewtonsMethod) {
   const Counts c = run({3, {.newton = 20}}, damped_sheet(), 0.01, 10).counts;
   EXPECT_GT(c.assemblies, 20);          // some iterations each
   EXPECT_GE(c.energies, c.assemblies);  // each looks at Φ where it stands …
@@ -72,8 +72,10 @@ TEST(Ways, CountTheEnergiesOfNewtonsMethod) {
   EXPECT_EQ(c.products, c.energies + c.assemblies);  // … and D v with each, and in b
 }
 
-TEST(Ways, MoreMovesMoreBytes) {
-  const auto bytes = [](const Way& way) { return run(way, damped_sheet(), 0.01, 10).counts.bytes; };
+TEST(Simulators, MoreMovesMoreBytes) {
+  const auto bytes = [](const Configuration& configuration) {
+    return run(configuration, damped_sheet(), 0.01, 10).counts.bytes;
+  };
   EXPECT_LT(bytes({2}), bytes({3}));
   EXPECT_LT(bytes({3}), bytes({4, {.tolerance = 1e-1}}));
   EXPECT_LT(bytes({4, {.tolerance = 1e-1}}), bytes({4, {.tolerance = 1e-6}}));
@@ -81,7 +83,7 @@ TEST(Ways, MoreMovesMoreBytes) {
 }
 
 // Two corners hold a square metre: 3.5337/Δx √(k/ρ) is the largest frequency of the sheet at rest.
-TEST(Ways, KnowTheCriticalStep) {
+TEST(Simulators, KnowTheCriticalStep) {
   for (int step : {1, 5}) {
     TestScene scene = sheet(6, Held::by_two_corners, 1000, 1000, Gravity::on);
     const auto simulator = make_simulator({step}, scene.cloth);
@@ -89,4 +91,4 @@ TEST(Ways, KnowTheCriticalStep) {
   }
 }
 
-}  // namespace ways_test
+}  // namespace simulator_test

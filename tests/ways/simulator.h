@@ -7,7 +7,7 @@
 #include "math/method.h"
 #include "scene/step_names.h"
 
-struct Way {
+struct Configuration {
   int step = 1;  // 1 … 5
   Method method =
       {};  // of steps 3 to 5; a step ignores the options whose concept it does not teach
@@ -44,7 +44,7 @@ class Simulator {
 
 // The cloth must outlive the simulator. Step 5 stores θ in the hinges of the cloth, so that a cloth serves
 // one simulator. Throws std::invalid_argument for a solver or a preconditioner that this cloth cannot have.
-std::unique_ptr<Simulator> make_simulator(const Way&, Cloth&);
+std::unique_ptr<Simulator> make_simulator(const Configuration&, Cloth&);
 
 // The longest stable step of symplectic Euler about this state, s: math/stable_step.h.
 double critical_step(Simulator&, const Cloth&, const State&);
