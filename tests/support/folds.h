@@ -10,8 +10,6 @@
 #include "support/family_forces.h"
 #include "support/poses.h"
 
-constexpr double pi = std::numbers::pi;
-
 // A hinge in the plane: its edge lies along y and has the length 1, P0 is on the left. For each flap: its
 // height, and where the foot of the height lies on the edge: 0 at P1, 1 at P2.
 struct FlatHinge {

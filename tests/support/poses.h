@@ -7,6 +7,8 @@
 
 #include "math/triangle.h"
 
+inline constexpr double pi = std::numbers::pi;
+
 // Reproducible random numbers: every test makes its own from a seed.
 class Random {
  public:
@@ -29,10 +31,7 @@ class Random {
     while (d.norm() > 1 || d.norm() < 0.1);
     return d.normalized();
   }
-  Mat3 rotation() {
-    return Eigen::AngleAxisd(between(-std::numbers::pi, std::numbers::pi), direction())
-        .toRotationMatrix();
-  }
+  Mat3 rotation() { return Eigen::AngleAxisd(between(-pi, pi), direction()).toRotationMatrix(); }
 
  private:
   std::mt19937 generator;

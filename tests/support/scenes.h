@@ -3,12 +3,11 @@
 #pragma once
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "scene/make_cloth.h"
 #include "support/bend_models.h"
+#include "support/poses.h"
 
-inline constexpr double pi = std::numbers::pi;
 inline constexpr double g = 9.81;       // m/s²
 inline constexpr double density = 0.2;  // kg/m²
 
