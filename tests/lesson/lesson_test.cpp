@@ -1,5 +1,5 @@
-// What the lessons promise of the code: small differences between neighbours, functions that stay the
-// same byte for byte, names that exist, pictures that are there.
+// What the lessons say about the code is true: differences between neighbours are small, functions that a
+// step does not teach are the same byte for byte, and names, links and pictures exist.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ std::vector<std::string> lines(const std::string& text) {
   return all;
 }
 
-// Lines deleted plus lines added: all but the longest common subsequence, on both sides.
+// Lines deleted plus lines added: on both sides, all but the longest common subsequence.
 int changed_lines(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   std::vector<std::vector<int>> common(a.size() + 1, std::vector<int>(b.size() + 1, 0));
   for (size_t i = 0; i < a.size(); ++i)

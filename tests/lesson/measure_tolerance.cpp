@@ -1,9 +1,9 @@
-// What a tolerance of conjugate gradients is worth: for 1e-1 … 1e-10 the residual that is left, the
-// error in Δv against a direct solve of the same system, iterations, time, and the error in position
-// at the end of the run against the run of direct solves.
+// What a tolerance of conjugate gradients is worth. For 1e-1 … 1e-10: the residual, the error in Δv
+// compared with a direct solve of the same system, iterations, time, and the error in position at the end
+// compared with the run of direct solves.
 //
-// All tolerances solve the systems of one trajectory, that of the direct solves, so that they answer the
-// same questions; then each takes its own run, where errors of one step go into the next.
+// All tolerances solve the systems of one trajectory, that of the direct solves, so that they can be
+// compared. Besides, each tolerance has its own run, where the errors of one step go into the next.
 #include <CLI/CLI.hpp>
 #include <iostream>
 
@@ -24,7 +24,7 @@ struct Arguments {
   Overrides overrides;
 };
 
-// Everything that is known of one tolerance; of residual, error and iterations one entry per step.
+// The measurements of one tolerance. Residual, error and iterations have one entry per step.
 struct Measured {
   double tolerance;
   std::vector<double> residual, error, iterations, seconds;
@@ -36,7 +36,7 @@ double worst(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
-// A stiffer or softer cloth of the same kind: stretch gets k, shear and damping follow in proportion.
+// Makes the cloth stiffer or softer: stretch gets k, shear and damping change in proportion.
 void rescale(Cloth& cloth, double k) {
   if (!cloth.term<StretchTerm>()) throw BadInput("--k: the scene has no [stretch]");
   const double factor = k / cloth.term<StretchTerm>()->k;
@@ -54,7 +54,7 @@ Scene read(const Arguments& arguments) {
   return scene;
 }
 
-// The run of direct solves; in every step each tolerance solves the same system beside it.
+// The run of direct solves. In every step each tolerance solves the same system.
 class Trajectory {
  public:
   Trajectory(const Scene& scene_, const std::string& preconditioner)
@@ -109,7 +109,7 @@ class Trajectory {
   VecX dv, r;
 };
 
-// A run of its own for one tolerance.
+// The own run of one tolerance.
 struct OwnRun {
   OwnRun(const Scene& scene, const std::string& preconditioner, double tolerance)
       : system(scene.cloth, {.preconditioner = preconditioner, .tolerance = tolerance}),

@@ -139,9 +139,12 @@ class Runner:
 
     def _run_tests(self, expression):
         """What ctest -V -R prints, without touching the records of a ctest that may be running."""
-        listed = self._shell(["ctest", "--test-dir", str(self.build), "-R", expression,
-                              "--show-only=json-v1"], f"ctest -R {expression}", allowed=(0,))
-        tests = [test for test in json.loads(listed)["tests"] if "command" in test]
+        listed = subprocess.run(
+            ["ctest", "--test-dir", str(self.build), "-R", expression, "--show-only=json-v1"],
+            text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        if listed.returncode != 0:
+            raise LessonError(listed.stderr.strip())
+        tests = [test for test in json.loads(listed.stdout)["tests"] if "command" in test]
         if not tests:
             raise LessonError(f"no test is named {expression}, or the tests are not built")
         return "".join(self._shell(test["command"], test["name"], allowed=(0,)) for test in tests)

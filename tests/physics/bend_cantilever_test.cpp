@@ -1,5 +1,5 @@
-// Cloth that bends under its own weight, against the heavy elastica: the ratio H/W of how far the end
-// hangs down to how far it reaches out, for weights from nearly none to overwhelming.
+// Cloth that bends under its own weight, compared with the heavy elastica. The measure is H/W: how far the
+// end hangs down, divided by how far it reaches out. The weights go from nearly none to very large ones.
 #include <gtest/gtest.h>
 
 #include "cantilever.h"
@@ -8,7 +8,7 @@ namespace bend_cantilever_test {
 
 // The elastica itself ----------------------------------------------------------------------------
 
-// As an independent program printed it, which also solved the boundary value problem as such.
+// Results of an independent program, which also solved the boundary value problem.
 struct Row {
   double Gamma, W, H, droop, chord, tip;  // the last two in degrees
 };
@@ -40,8 +40,8 @@ TEST(Elastica, IsThatOfAnIndependentProgram) {
   }
 }
 
-// A light strip is a beam with small slopes, H/W → Γ/8; a heavy one hangs straight down but for a bend
-// as long as B allows, H/W → √(Γ/2) − 1.
+// A light strip is a beam with small slopes, H/W → Γ/8. A heavy strip hangs straight down, except for a
+// short bend at the clamp: H/W → √(Γ/2) − 1.
 TEST(Elastica, HasTheLimitsThatAreKnown) {
   EXPECT_NEAR(elastica(1e-3).droop() / (1e-3 / 8), 1, 1e-6);
   EXPECT_NEAR(elastica(1e4).droop(), std::sqrt(1e4 / 2) - 1, 0.003);
@@ -119,8 +119,8 @@ TEST(BendCantilever, CountedFromTheRowIsOfFirstOrder) {
   EXPECT_NEAR(std::log2(errors[0] / errors[1]), 1, 0.1);
 }
 
-// With rows locked neither the diagonals nor the width matter, and with the k that
-// stiffness_of_modulus gives, every model is the same plate.
+// Where rows are locked, neither the diagonals nor the width matter. With the k that belongs to the same
+// modulus, every model is the same plate.
 TEST(BendCantilever, IsTheSameForAllModelsAndGrids) {
   for (const BendModel bend_model :
        {BendModel::dihedral, BendModel::bridson, BendModel::quadratic}) {

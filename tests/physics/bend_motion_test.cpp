@@ -1,5 +1,5 @@
-// Cloth that bends, in motion: how fast the error falls with h, what is kept of momentum and energy, and a
-// hinge that is wound up beyond a full fold.
+// Cloth that bends, in motion: the order of the error in h, conservation of momentum and energy, and a hinge
+// that is wound up beyond a full fold.
 #include <gtest/gtest.h>
 
 #include "math/energy.h"
@@ -11,7 +11,7 @@
 
 namespace bend_motion_test {
 
-// The force without damping by itself, for methods that need no K.
+// The force without damping, for methods that need no K.
 struct OnlyForces {
   VecX f;
 };
@@ -23,7 +23,7 @@ void forces(const Cloth& cloth, const State& state, OnlyForces& sum) {
   for_each_family(cloth, [&](const auto& family) { sum.f += family_forces(family, state.x); });
 }
 
-// One step of step 5 on a cloth of its own, which remembers its folds; solved to rounding.
+// One step of step 5 on its own copy of the cloth, which remembers its folds. Solved to rounding.
 class Step05 {
  public:
   Step05(const Cloth& cloth, Jacobian jacobian) : cloth_(cloth), system_(cloth_, tight(jacobian)) {}
@@ -78,7 +78,7 @@ TEST_P(Convergence05, OfAFlapIsOfOrderOne) {
 
 // Momentum ---------------------------------------------------------------------------------------
 
-// A sheet, folded at random by up to about a radian on every edge, and nothing but its bending.
+// A sheet that is folded at random by up to about a radian on every edge. Bending is its only force.
 TEST(BendMomenta, ForcesNeitherPushNorTurnTheCloth) {
   for (const BendModel bend_model :
        {BendModel::dihedral, BendModel::bridson, BendModel::quadratic, BendModel::springs}) {
@@ -123,8 +123,8 @@ double bend_energy(const Cloth& cloth, const VecX& x) {
   return sum;
 }
 
-// Symplectic Euler with the forces of bending: both momenta stay to rounding, and the energy, which has no
-// jump anywhere, comes twice as close as h halves.
+// Symplectic Euler with the forces of bending keeps both momenta to rounding. The energy has no jump: its
+// error becomes half as large if h is halved.
 TEST(BendMomenta, OfASpinningSheetStay) {
   const TestScene scene = thrown(0.05);
   OnlyForces system;
@@ -156,7 +156,8 @@ TEST(BendMomenta, OfASpinningSheetStay) {
   EXPECT_GT(most_bent, 0.005 * E0) << "nothing was bent";
 }
 
-// Backward Euler keeps the linear one; of the angular it loses in proportion to h, bending or not.
+// Backward Euler keeps the linear momentum. It loses angular momentum in proportion to h, with bending or
+// without.
 TEST(BendMomenta, OfStep05AreThoseOfBackwardEuler) {
   const TestScene scene = thrown(1e-3);
   const Momenta before = momenta(scene.cloth, scene.start);
@@ -177,10 +178,9 @@ TEST(BendMomenta, OfStep05AreThoseOfBackwardEuler) {
 
 // Beyond a full fold -----------------------------------------------------------------------------
 
-// One hinge of which only P3 moves, on its circle: its energy is k θ²/2 at any θ, so that it swings as a
-// harmonic oscillator does, ω = √(k/m r²), by 4.5 rad to both sides. (Backward Euler
-// needs many steps for it: it loses angular momentum.) Without a memory of its folds the hinge would
-// be thrown on at π, towards a full turn.
+// Only P3 of this hinge moves, on a circle. The energy is k θ²/2 at any θ, so the hinge swings like a
+// harmonic oscillator, ω = √(k/m r²), by 4.5 rad to both sides. (Backward Euler needs many steps for that,
+// because it loses angular momentum.) Without a memory of its folds the force would change its sign at π.
 TEST(BendMotion, AHingeSwingsThroughItsFullFold) {
   Mesh mesh;
   mesh.faces = {{0, 1, 2}, {3, 2, 1}};

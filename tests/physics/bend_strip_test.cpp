@@ -1,6 +1,6 @@
-// How stiff a strip of cloth is that may warp across as it bends: softer than on a cylinder, for the
-// twist of its cells takes part of the bend off the hinges. Its stiffness B is that of the elastica that
-// droops as much.
+// The stiffness of a strip of cloth that may warp across its width as it bends. It is softer than on a
+// cylinder, because the twist of its cells takes a part of the bend from the hinges. Its stiffness B is that
+// of the elastica that droops as much.
 //
 // One cell wide, with curvature κ along and twist τ, a strip with hinges of Baraff and Witkin has one
 // hinge across and one on the diagonal in each cell, which see κ + τ and √2 τ:
@@ -55,8 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"QuadraticAlternating", BendModel::quadratic, Diagonals::alternating, 0.8}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// Where it is held a strip cannot warp, on a length like its width, h: an error of first order, and one of
-// second from the hinges. Both fall out of a + b h + c h² through three grids.
+// Near the clamp, on a length like its width h, a strip cannot warp. That is an error of first order; the
+// hinges have one of second order. The limit of a + b h + c h² through three grids has neither.
 TEST_P(FreeStrip, OneCellWideIsAsSoftAsTheTheorySays) {
   std::array<double, 3> B;
   for (int i = 0; i < 3; ++i) B[i] = softened(strip(16 << i, 1), 0.5);
@@ -68,7 +68,7 @@ TEST_P(FreeStrip, OneCellWideIsAsSoftAsTheTheorySays) {
   EXPECT_GT(B[1], B[2]);
 }
 
-// For reading: wider strips, up to a quarter of their length.
+// Wider strips, up to a quarter of their length.
 TEST_P(FreeStrip, WiderIsBetweenThatAndTheCylinder) {
   std::printf("%s, N = 32:", GetParam().name);
   for (const int across : {1, 2, 4, 8}) {

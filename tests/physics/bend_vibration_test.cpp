@@ -1,4 +1,4 @@
-// How fast a strip swings that is clamped at one end and has nothing but its stiffness to bring it back:
+// The frequency of a strip that is clamped at one end and driven back by its bending stiffness alone:
 //
 //   ω = 1.875104² √(B/ρ)/L²    where cos β cosh β = −1 for β = 1.875104
 //

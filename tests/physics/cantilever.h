@@ -3,16 +3,16 @@
 //   ├──┼──●──●── … ──●     rows of vertices across, h apart; the first two are held
 //     ↑ clamp        ↑ L
 //
-// A hinge bends the half cells on both sides of its row. So the second row, though held, stands for the
-// half cell before it that bends, too: the clamp is there, and h = L/(N + 1/2).
+// A hinge stands for the bend of the half cells on both sides of its row. The hinge of the second row, which
+// is held, stands for half a cell before the row. So the clamp lies there, and h = L/(N + 1/2).
 #pragma once
 #include "support/elastica.h"
 #include "support/poses.h"
 #include "support/scenes.h"
 #include "support/statics.h"
 
-// Locked rows stay straight and level: two unknowns each, and the strip is a thread with hinges. Free, a
-// cloth may warp across as well.
+// Locked rows stay straight and level: each has two unknowns, and the strip is a thread with hinges. A cloth
+// with free rows may also warp across its width.
 enum class Rows { locked, free };
 
 struct Cantilever {
@@ -62,5 +62,5 @@ struct Tip {
   double droop() const { return down / out; }
 };
 
-// The tip for each Γ of a growing list: from flat, the weight grows.
+// The tip for each Γ of a growing list. The strip begins flat, and the weight grows from one Γ to the next.
 std::vector<Tip> tips(const Cantilever&, const std::vector<double>& Gammas);

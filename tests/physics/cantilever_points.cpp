@@ -1,5 +1,6 @@
-// cantilever_points [DIRECTORY]: how far a strip of cloth droops under its own weight, beside the elastica.
-// Prints the numbers and writes cantilever.csv, .gp and, where gnuplot is installed, .png there.
+// cantilever_points [DIRECTORY]: how far a strip of cloth droops under its own weight, and how far the
+// elastica does. Prints the numbers and writes cantilever.csv, cantilever.gp and, where gnuplot is
+// installed, cantilever.png into the directory.
 #include "cantilever.h"
 #include "support/gnuplot.h"
 

@@ -1,6 +1,6 @@
-// Half the step, half the error: symplectic Euler is of order 1. The error is measured against a
-// Runge-Kutta run on the same mesh, which has to show its own order, and to agree with itself at twice
-// its step far better than the errors that it judges.
+// Half the step, half the error: symplectic Euler is of order 1. The error is the distance to a Runge-Kutta
+// run on the same mesh. That run is tested, too: it must show its own order, and a run with twice its step
+// must differ from it by much less than the errors that are measured.
 #include <gtest/gtest.h>
 
 #include "step01_explicit/time_step.h"
@@ -9,8 +9,8 @@
 
 namespace convergence_test {
 
-// The error of symplectic Euler with 400 steps as an independent program found it, with a Runge-Kutta
-// method of order 8 for reference.
+// The error of symplectic Euler with 400 steps, from an independent program with a Runge-Kutta method of
+// order 8 as the reference.
 struct Case {
   const char* name;
   TestScene (*scene)();

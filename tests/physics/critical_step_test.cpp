@@ -1,5 +1,5 @@
-// Symplectic Euler survives h < 2/ω_max. critical_step finds that h by power iteration; here it is
-// compared with known values, with all frequencies of the cloth, and with what a run does.
+// Symplectic Euler is stable for h < 2/ω_max. critical_step finds this limit by power iteration. Here it is
+// compared with known values, with all frequencies of the cloth, and with runs.
 #include "math/stable_step.h"
 
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@ double critical_step_of(const TestScene& scene) {
   return critical_step(scene.cloth, scene.start, step01::forces, system);
 }
 
-// A square metre by two corners, flat and at rest. ω_max is that of an independent program, which
-// found it with a dense eigenvalue solver. It grows as √k and with the cells: 3.534 √(k/ρ)/h of the
-// cell for equal stretch and shear. Without shear it is set by the light corner: 3/√2 √(k/ρ)/h.
+// A square metre that hangs by two corners, flat and at rest. ω_max comes from an independent program with a
+// dense eigenvalue solver. For equal stretch and shear it is 3.534 √(k/ρ)/h, where h is the size of a
+// cell. Without shear the light corner sets it: 3/√2 √(k/ρ)/h.
 struct Known {
   int cells;
   double k, k_shear, omega_max;
@@ -37,7 +37,7 @@ TEST(CriticalStep, OfASheetIsTheKnownOne) {
   }
 }
 
-// Not only at rest: stretched, hanging by its own weight, and free of pins as well.
+// The same for a cloth that is stretched, one that hangs by its own weight, and one without pins.
 TEST(CriticalStep, IsTwoOverTheHighestOfAllFrequencies) {
   const std::array<TestScene, 4> scenes = {sheet(6, Held::by_two_corners, 1e3, 1e3, Gravity::off),
                                            sheet(6, Held::free, 1e3, 500, Gravity::on),
@@ -51,8 +51,8 @@ TEST(CriticalStep, IsTwoOverTheHighestOfAllFrequencies) {
   }
 }
 
-// A disturbance of a nanometre, which the cloth answers linearly: a thousandth below the limit it
-// stays, a thousandth above it every step flips and enlarges the highest mode.
+// A perturbation of a nanometre, so small that the cloth is linear. With h a thousandth below the limit it
+// stays as small. With h a thousandth above, every step flips the highest mode and makes it larger.
 TEST(CriticalStep, SeparatesWhatStaysFromWhatGrows) {
   const TestScene scene = sheet(6, Held::by_two_corners, 1e3, 1e3, Gravity::off);
   const double h = critical_step_of(scene);

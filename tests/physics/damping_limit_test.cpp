@@ -1,9 +1,9 @@
-// Explicit damping lowers the stable step. With kd/k equal for stretch and shear the modes of the cloth
-// stay the modes, and symplectic Euler survives
+// Explicit damping lowers the stable step. If kd/k is the same for stretch and shear, damping does not mix
+// the modes of the cloth, and symplectic Euler is stable for
 //
 //   h ω ≤ 2 (√(1 + ζ²) − ζ),   ζ = kd ω/(2k)
 //
-// in each; the highest ω is the first to break it.
+// in each mode. The highest ω sets the limit.
 #include <gtest/gtest.h>
 
 #include "math/stable_step.h"
@@ -28,7 +28,7 @@ double highest_frequency() {
   return modes(scene.cloth, K).omega.maxCoeff();
 }
 
-// A disturbance of a nanometre in the plane of the sheet, for 20000 steps.
+// A perturbation of a nanometre in the plane of the sheet, for 20000 steps.
 bool grows(const TestScene& scene, double h) {
   step02::System system(scene.cloth);
   State state = scene.start;
@@ -70,7 +70,7 @@ TEST(DampedCriticalStep, FollowsTheTheoryOfOneMode) {
   }
 }
 
-// Stretch and shear damped unequally: no formula, but critical_step still says what a run does.
+// If stretch and shear are damped differently, there is no formula. critical_step still predicts the runs.
 TEST(DampedCriticalStep, IsPredictedWhereModesMixAsWell) {
   TestScene scene = damped_sheet(0);
   scene.cloth.term<StretchTerm>()->kd = 1;

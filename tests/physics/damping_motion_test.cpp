@@ -1,4 +1,4 @@
-// What damping takes from a moving cloth, and what it leaves.
+// Damping takes energy from a moving cloth, and leaves its momentum.
 #include <gtest/gtest.h>
 
 #include "math/stable_step.h"
@@ -16,7 +16,7 @@ void damp(Cloth& cloth, double kd_stretch, double kd_shear) {
   if (cloth.term<ShearTerm>()) cloth.term<ShearTerm>()->kd = kd_shear;
 }
 
-// Internal forces, damping among them, come in pairs: momentum stays, while energy goes.
+// Internal forces come in pairs, damping forces too: momentum stays and energy falls.
 TEST(DampedSpin, KeepsLinearAndAngularMomentumAndLosesEnergy) {
   TestScene scene = thrown_sheet();
   damp(scene.cloth, 0.05, 0.05);
@@ -35,7 +35,7 @@ TEST(DampedSpin, KeepsLinearAndAngularMomentumAndLosesEnergy) {
   EXPECT_LT(energies(scene.cloth, state).total(), 0.95 * energies(scene.cloth, undamped).total());
 }
 
-// Damping is no drag: the cloth as a whole falls as if there were none.
+// Damping is no drag: the cloth as a whole falls as without damping.
 TEST(DampedFall, IsTheFallOfAStone) {
   TestScene scene = sheet(5, Held::free, 10, 5, Gravity::on);
   damp(scene.cloth, 0.01, 0.01);
@@ -51,7 +51,8 @@ TEST(DampedFall, IsTheFallOfAStone) {
   }
 }
 
-// A sheet at rest shape, every vertex kicked at random, well below the limit: 20 frames of 50 ms.
+// A sheet in its rest shape; every vertex begins with a random velocity. h is well below the limit; 20 frames
+// of 50 ms.
 TEST(DampedSheet, LosesEnergyAndNeverShowsMuchMoreThanItHad) {
   for (const unsigned seed : {1u, 2u, 3u, 4u})
     for (const double share : {0.1, 0.3}) {
@@ -73,8 +74,8 @@ TEST(DampedSheet, LosesEnergyAndNeverShowsMuchMoreThanItHad) {
     }
 }
 
-// The strip of hanging_test.cpp, but nobody solves for its rest: it bounces from its unstretched length
-// until damping has stopped that. A coarse strip is lopsided and sways for longer.
+// The strip of hanging_test.cpp begins with its unstretched length and bounces until damping has stopped the
+// bouncing. A coarse strip is not symmetric, and sways for longer.
 double elongation_after_bouncing(int rows, double k) {
   TestScene scene = strip(0.25, {rows / 4, rows}, k, k / 2, Gravity::on);
   damp(scene.cloth, 0.02 * k, 0.04 * k);

@@ -1,4 +1,4 @@
-// A cloth that nothing holds: it falls as a stone does, and what it keeps while it spins.
+// A cloth without pins: it falls like a stone, and keeps its momenta while it spins.
 #include <gtest/gtest.h>
 
 #include "step01_explicit/time_step.h"
@@ -7,9 +7,9 @@
 
 namespace free_motion_test {
 
-// Symplectic Euler from rest: v_n = −g n h, and so y_N = −g h² (1 + 2 + … + N). Whatever is missing
-// from that is an internal force that a flat sheet does not have. It is soft, so that 0.01 s is below
-// its critical step, 0.016 s, and rounding does not grow.
+// Symplectic Euler from rest: v_n = −g n h, and so y_N = −g h² (1 + 2 + … + N). A difference would be an
+// internal force, which a flat sheet does not have. The sheet is soft, so that 0.01 s is below its critical
+// step, 0.016 s, and rounding errors do not grow.
 TEST(FreeFall, OfAFlatSheetIsTheSumOfTheSteps) {
   TestScene scene = sheet(5, Held::free, 10, 5, Gravity::on);
   step01::System system(scene.cloth);
@@ -24,8 +24,8 @@ TEST(FreeFall, OfAFlatSheetIsTheSumOfTheSteps) {
   }
 }
 
-// Forces in pairs keep Σ m v. That the torques cancel keeps Σ m x × v as well: v_{n+1} moves x along
-// itself, and v × v = 0. Other methods, backward Euler among them, lose angular momentum.
+// The forces come in pairs, so Σ m v stays. Their torques cancel, so Σ m x × v stays as well: v_{n+1} moves
+// x along itself, and v × v = 0. Other methods, such as backward Euler, lose angular momentum.
 TEST(FreeSpin, KeepsLinearAndAngularMomentum) {
   const TestScene scene = thrown_sheet();
   step01::System system(scene.cloth);
@@ -38,7 +38,7 @@ TEST(FreeSpin, KeepsLinearAndAngularMomentum) {
     ASSERT_LT((now.linear - before.linear).norm(), 1e-12 * before.linear_scale) << "step " << n;
     ASSERT_LT((now.angular - before.angular).norm(), 1e-12 * before.angular_scale) << "step " << n;
   }
-  // It did stretch, or there was nothing to keep.
+  // The cloth did stretch; otherwise the test would test nothing.
   step01::forces(scene.cloth, state, system);
   EXPECT_GT(system.f.cwiseAbs().maxCoeff(), 0.1);
 }

@@ -1,5 +1,5 @@
-// A strip that hangs by its top row, under its own weight. The thread at a depth s bears what hangs
-// below it, and stretch is linear in |w| at any strain:
+// A strip hangs by its top row, under its own weight. The thread at the depth s carries the weight below it,
+// and stretch is linear in |w| at any strain:
 //
 //   ρ g (L − s) = k (λ(s) − 1)       so the strip is longer by ρ g L²/(2k)
 #include <gtest/gtest.h>
@@ -19,10 +19,10 @@ TestScene hanging_strip(int rows, double k) {
   return scene;
 }
 
-// Vertices on the exact curve are in balance: a cell stretches by the mean of λ over it, which bears
-// the weight below the middle of the cell, and that is what the lumped masses below it weigh. But a
-// lower corner has the mass of one triangle, or of two, where half a column needs 3/2: it is pulled
-// up, or down, by ρ g h²/12.
+// Vertices on the exact curve are in balance. A cell stretches by the mean of λ over the cell, so it carries
+// the weight below its middle, which is the weight of the lumped masses below it. Only the lower corners are
+// not in balance: a corner has the mass of one triangle or of two, and half a column needs 3/2. So it is
+// pulled up, or down, by ρ g h²/12.
 TEST(HangingStrip, IsInBalanceOnTheExactCurve) {
   for (const double k : {100.0, 10.0})
     for (const int rows : {4, 8, 16}) {
@@ -39,8 +39,8 @@ TEST(HangingStrip, IsInBalanceOnTheExactCurve) {
     }
 }
 
-// Where the lowest row of the strip comes to rest, on average: Newton's method in the plane of the
-// strip, from the exact curve.
+// The mean height at which the lowest row of the strip comes to rest: by Newton's method in the plane of the
+// strip, begun at the exact curve.
 double elongation_at_rest(int rows, double k) {
   TestScene scene = hanging_strip(rows, k);
   step01::System system(scene.cloth);
@@ -61,7 +61,7 @@ double elongation_at_rest(int rows, double k) {
   return -lowest - L;
 }
 
-// The digits are those of an independent program on the same meshes.
+// The expected values come from an independent program on the same meshes.
 TEST(HangingStrip, IsLongerByItsWeightOverTwiceItsStiffness) {
   struct Case {
     double k;

@@ -1,4 +1,4 @@
-// Backward Euler as step 3 takes it: what it keeps, what it loses, and how fast the loss falls with h.
+// The backward Euler steps of step 3: which quantities they keep, which they lose, and the order of the loss.
 #include <gtest/gtest.h>
 
 #include "program/diagnostics.h"
@@ -10,8 +10,8 @@
 
 namespace implicit_motion_test {
 
-// A flat sheet feels no internal force, so that the fall is that of step 1, at a step that step 1 does
-// not survive: y_N = −g h² N (N + 1)/2.
+// A flat sheet has no internal force, so it falls as in step 1, y_N = −g h² N (N + 1)/2, even with an h at
+// which step 1 is not stable.
 TEST(ImplicitFall, OfAFlatSheetIsThatOfStep01) {
   for (const Jacobian jacobian : {Jacobian::definite, Jacobian::bw98})
     for (const int newton : {1, 5}) {
@@ -48,8 +48,8 @@ Loss loss(const TestScene& scene, int N) {
           1 - energies(scene.cloth, end).total() / energies(scene.cloth, scene.start).total()};
 }
 
-// Not a bug: backward Euler turns the velocities at the end of the step and moves along them. The loss
-// is of first order in h.
+// This loss is a property of backward Euler: it moves along the velocities at the end of the step. It is of
+// first order in h.
 TEST(ImplicitSpin, KeepsMomentumAndLosesAngularMomentumInProportionToH) {
   TestScene scene = sheet(5, Held::free, 100, 50, Gravity::off);
   const Vec3 spin(0, 6, 0), centre(0.5, 0, -0.5);

@@ -22,7 +22,7 @@ std::vector<Edge> edges(const Mesh& mesh) {
   return all;
 }
 
-// One row per edge: how fast its length grows when the vertices move.
+// One row per edge: the derivative of its length by the positions of the vertices.
 MatX rigidity(const VecX& x, const std::vector<Edge>& edges) {
   MatX R = MatX::Zero(Eigen::Index(edges.size()), x.size());
   for (size_t row = 0; row < edges.size(); ++row) {
@@ -40,9 +40,10 @@ int rank(const MatX& A) {
   return int(qr.rank());
 }
 
-// Of 3 V coordinates E = 3 V − 3 − B edges leave B + 3: the more of its vertices are inside, the less of a
-// mesh can move. Six of those are moves of the whole. Counted as the rank of the rigidity matrix, in
-// space; on a flat mesh, where lifting a vertex changes no length at first, it is smaller.
+// E = 3 V − 3 − B edges of fixed length leave B + 3 of the 3 V coordinates free: a mesh with more inner
+// vertices has a smaller share of free motions. Six of the free motions move the mesh as a whole. The test
+// counts by the rank of the rigidity matrix, in space. On a flat mesh the rank is smaller, because to lift a
+// vertex changes no length at first.
 TEST(Locking, EdgesLeaveAsManyWaysToMoveAsTheBoundaryHasVerticesAndThreeMore) {
   struct Case {
     std::array<int, 2> vertices;
@@ -94,8 +95,8 @@ Folded fold(const Vec2& through, double direction) {
   return folded;
 }
 
-// A fold along a mesh line bends hinges and costs nothing else. Any other one has to shorten the edges
-// that it crosses: at most to cos(1/2), where it crosses the middle of an edge at a right angle.
+// A fold along a mesh line only bends hinges. Any other fold shortens the edges that it crosses: at most to
+// cos(1/2) of their length, where it crosses the middle of an edge at a right angle.
 TEST(Locking, OnlyFoldsAlongMeshLinesChangeNoLength) {
   ASSERT_EQ(edges(make_grid({8, 8}, {8, 8}, Diagonals::same)).size(), 208u);
   struct Case {
@@ -135,9 +136,9 @@ double locked(int N, double jitter) {
   return lost;
 }
 
-// Membrane locking: cloth that cannot stretch can only fold along mesh lines, so that it bends less than
-// its hinges would let it; more so where the mesh lines are crooked, less on finer grids. (With k L²/B =
-// 1e4 the weight, Γ = 10, stretches it by 1e-3, and does not count.)
+// Membrane locking: cloth that cannot stretch can only fold along mesh lines. So it bends less than its
+// hinges allow. The effect is larger where the mesh lines are crooked, and smaller on finer grids. (With
+// k L²/B = 1e4 the weight, Γ = 10, stretches the strip by 1e-3, which can be neglected.)
 TEST(Locking, StiffMembranesBendLess) {
   const double straight = locked(8, 0), crooked = locked(8, 0.25);
   EXPECT_GT(straight, 0.02);

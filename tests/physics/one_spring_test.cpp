@@ -1,8 +1,8 @@
-// One mass on one spring, of which everything is known. With x the elongation and ω² = k/m,
+// One mass on one spring, whose motion is known exactly. With the elongation x and ω² = k/m,
 //
 //   v += −h ω² x,   x += h v       has       x_{n+1} − 2 x_n + x_{n−1} = −h² ω² x_n,
 //
-// so that it turns by the angle 2 asin(h ω/2) in each step, for ever, and keeps an energy of its own.
+// so each step turns the phase by 2 asin(h ω/2), for ever, and keeps an energy, though not the true one.
 #include <gtest/gtest.h>
 
 #include "math/stable_step.h"
@@ -55,7 +55,7 @@ TEST(OneSpring, TurnsByTwiceTheArcsineOfHalfHOmega) {
   }
 }
 
-// m v²/2 + k x²/2 − h k x v/2 stays what it was: put the step in, and the terms in h cancel.
+// m v²/2 + k x²/2 − h k x v/2 is constant: insert the step, and the terms in h cancel.
 TEST(OneSpring, KeepsAnEnergyOfItsOwn) {
   const Cloth cloth = mass_on_a_spring(true);
   step01::System system(cloth);
@@ -78,7 +78,7 @@ TEST(OneSpring, HasTheCriticalStepTwoOverOmega) {
   EXPECT_NEAR(critical_step(cloth, pulled(0), step01::forces, system), 2 * std::sqrt(m / k), 1e-8);
 }
 
-// Two masses swing against each other: each has half of the spring, which is twice as stiff.
+// Two masses swing against each other. Each has half of the spring, and half a spring is twice as stiff.
 TEST(OneSpring, BetweenTwoMassesHasARootTwoShorterCriticalStep) {
   const Cloth cloth = mass_on_a_spring(false);
   step01::System system(cloth);

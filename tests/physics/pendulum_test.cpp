@@ -2,10 +2,10 @@
 //
 //   T/T0 = 2 K(sin²(α/2))/π,   T0 = 2π √(l/g)      K: the complete elliptic integral of m = sin²
 //
-// A thread is a spring, so the pendulum is a little too long: by the pull m g (3 cos φ − 2 cos α)
-// over its stiffness. That, and not h, limits what an explicit step reaches. The error of h is
-// (h ω_0)²/24, where ω_0² = g/l, and the thread stretches by about m g/k_spring = g/ω², where a
-// stable h has h ω < 2: so g/(l ω²) is always the larger.
+// A thread is a spring, so the pendulum is a little too long: by the pull m g (3 cos φ − 2 cos α) divided by
+// the stiffness. This error, and not that of h, limits the accuracy of an explicit step. The error of h is
+// (h ω_0)²/24, where ω_0² = g/l. The thread stretches by about m g/k_spring = g/ω², and a stable h has
+// h ω < 2: so g/(l ω²) is always the larger error.
 #include <gtest/gtest.h>
 
 #include "step01_explicit/time_step.h"
@@ -25,8 +25,8 @@ double period_ratio(double amplitude) {
   return 1 / a;
 }
 
-// T/T0 of a triangle with a thread of stiffness k: from the first time that it passes straight down
-// to the third, each found by a straight line between two steps.
+// T/T0 of a triangle with a thread of stiffness k. T is the time from its first pass through the lowest point
+// to the third; both are interpolated linearly between two steps.
 double measured_ratio(double amplitude, double k, double h) {
   const TestScene scene = pendulum(amplitude, k, k / 2);
   step01::System system(scene.cloth);
@@ -62,8 +62,7 @@ TEST(Pendulum, HasThePeriodOfItsAmplitude) {
   }
 }
 
-// Half the step allows four times the stiffness at the same distance from the stable limit, and that
-// makes a quarter of the error.
+// Half the step allows four times the stiffness at the same h/h_crit, and that gives a quarter of the error.
 TEST(Pendulum, ComesFourTimesCloserAsTheStepHalves) {
   for (const Swing& swing : swings) {
     const double exact = period_ratio(swing.amplitude());

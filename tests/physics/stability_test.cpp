@@ -1,5 +1,5 @@
-// What becomes of the energy of a cloth without damping, in thousands of steps. All energies here are
-// given in m g L, the energy that the cloth would gain by falling its own length.
+// The energy of a cloth without damping, over thousands of steps. All energies are divided by m g L, the
+// energy that the cloth would gain if it fell by its own length.
 #include <gtest/gtest.h>
 
 #include "math/stable_step.h"
@@ -14,7 +14,7 @@ TestScene drop() {
   return sheet(6, Held::by_two_corners, 1e3, 500, Gravity::on);
 }
 
-// Upright, with a wrinkle of 1 mm that grows downwards: it sways and rings, and never folds.
+// Upright, with a wrinkle of 1 mm that grows downwards. The sheet sways and vibrates, and never folds.
 TestScene hanging() {
   TestScene scene = drop();
   scene.start.x = field(scene.mesh, [](double u, double v) {
@@ -72,8 +72,8 @@ TEST(Stability, ADroppedSheetKeepsItsEnergyAtFourFifthsOfTheLimit) {
   EXPECT_LT(r.energy_error, 0.2);
 }
 
-// h_crit belongs to small vibrations; the folds of a dropped sheet feed fast ones. Measured: every one
-// of six slightly different starts explodes at 0.9 of it, after 2960 to 8660 steps.
+// h_crit belongs to small vibrations, and the folds of a dropped sheet feed fast ones. Measured: each of six
+// slightly different starts explodes at 0.9 h_crit, after 2960 to 8660 steps.
 TEST(Stability, ADroppedSheetMayExplodeBelowTheLimit) {
   EXPECT_TRUE(watch_step01(drop(), 0.9 * critical_step_of(drop()), 10000).exploded);
 }
@@ -94,8 +94,8 @@ void forward_euler(const Cloth& cloth, double h, State& state, step01::System& s
   state.v += h * cloth.inverse_mass.cwiseProduct(system.f);
 }
 
-// Every mode grows by √(1 + h² ω²) in every step of forward Euler, however short. At a tenth of the
-// limit h² ω_max² = 0.04, and rounding alone has become a catastrophe after some thousand steps.
+// Every step of forward Euler enlarges every mode by √(1 + h² ω²), however short the step is. At a tenth of
+// the limit h² ω_max² = 0.04, and rounding errors alone make the cloth explode within some thousand steps.
 TEST(Stability, ForwardEulerExplodesWhereSymplecticEulerKeepsItsEnergy) {
   const TestScene scene = drop();
   const double h = 0.1 * critical_step_of(scene);

@@ -1,12 +1,11 @@
-// How fast a strip rings lengthwise that is held at one end: f_n = (2n − 1)/(4 L) √(k/ρ) for the
-// continuous cloth. With the masses of each row lumped into it, rows at a distance h ring as a chain
-// of springs does,
+// The lengthwise frequencies of a strip that is held at one end: f_n = (2n − 1)/(4 L) √(k/ρ) for the
+// continuous cloth. Rows at a distance h, with lumped masses, vibrate like a chain of springs,
 //
 //   ω_n = 2/h √(k/ρ) sin((2n − 1) π h/(4 L))
 //
-// below f_n by order 2. A column inside the cloth is such a chain exactly. At an edge it is not: the
-// last vertex of the chain has half a mass, and at the two lower corners it has two or four thirds of
-// that, by the number of triangles that meet there.
+// which is lower than f_n by an error of order 2. A column inside the cloth is exactly such a chain, whose
+// last vertex has half a mass. At the two lower corners the last vertex has two or four thirds of that,
+// because one or two triangles meet there.
 #include <gtest/gtest.h>
 
 #include "step01_explicit/time_step.h"
@@ -50,7 +49,7 @@ TEST(LengthwiseVibration, OfAChainOfSpringsHasTheLumpedFrequencies) {
   }
 }
 
-// The mode of the chain on one inner column, and all else at rest, is a mode of the cloth.
+// The mode of the chain on one inner column, with all other columns at rest, is a mode of the cloth.
 TEST(LengthwiseVibration, OfAColumnInsideTheClothIsThatOfTheChain) {
   for (const int rows : {4, 8, 16, 32}) {
     const TestScene scene = strip(3.0 / rows, {3, rows}, k, 0, Gravity::off);
@@ -81,8 +80,8 @@ double first_frequency(int rows) {
   return all.omega[mode] / (2 * pi);
 }
 
-// The light and the heavy corner couple the columns through shear, by less on a finer mesh. Compared
-// with the digits of an independent program. (With 8 rows this mode mixes with a sideways one.)
+// The light and the heavy corner couple the columns through shear, and less so on a finer mesh. The expected
+// values come from an independent program. (With 8 rows this mode mixes with a sideways one.)
 TEST(LengthwiseVibration, OfTheClothComesFourTimesCloserAsTheCellsHalve) {
   const double exact = std::sqrt(k / density) / (4 * L);  // 5.590170 Hz
   const double f4 = first_frequency(4), f16 = first_frequency(16), f32 = first_frequency(32);
