@@ -263,7 +263,7 @@ size_t Multigrid::bytes() const {
     sum += sizeof(Contribution) * level.contributions.size() +
            sizeof(int) * level.contribution_start.size();
     for (const auto& parents : level.parents)
-      sum += sizeof(parents) + sizeof(Parent) * parents.size();
+      sum += sizeof(std::vector<Parent>) + sizeof(Parent) * parents.size();
     sum += 3 * sizeof(double) * size_t(level.r.size());
   }
   return sum + sizeof(double) * size_t(dense.size() * 2);

@@ -9,7 +9,7 @@ void mean_along(const std::vector<unsigned char>& in, std::vector<unsigned char>
                 int radius, int stride, int next_line) {
   const int width = 2 * radius + 1;
   for (int line = 0; line < side; ++line) {
-    const auto at = [=](int i) { return static_cast<std::size_t>(line * next_line + i * stride); };
+    const auto at = [=](int i) -> std::size_t { return line * next_line + i * stride; };
     int sum = 0;
     for (int i = -radius; i < side; ++i) {
       if (i + radius < side) sum += in[at(i + radius)];

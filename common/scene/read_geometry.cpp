@@ -93,6 +93,7 @@ std::vector<Pin> read_pins(const TomlTable& cloth, int vertices) {
                          " is already pinned in another way; name it once");
     }
   std::vector<Pin> sorted;
+  sorted.reserve(pins.size());
   for (const auto& [vertex, pin] : pins) sorted.push_back(pin);
   return sorted;
 }
