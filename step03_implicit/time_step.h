@@ -41,7 +41,7 @@ struct Sum {
 // How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
 // and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
 // Their derivatives:     K = −k ∂C/∂y ∂C/∂yᵀ − (k C + kd Ċ) ∂²C/∂y²,  D = −kd ∂C/∂y ∂C/∂yᵀ
-// A stays positive definite if of the second term only max(k C, 0) ∂²C/∂y² of convex C is kept.
+// With --jacobian definite, K keeps only max(k C, 0) ∂²C/∂y² of convex C. Then A is positive definite.
 template <class Condition, class Rates, int Y>
 void act(const Term& term, const Condition& c, Jacobian jacobian, const Rates& ydot, Sum<Y>& sum) {
   constexpr int M = Condition::M;
@@ -110,24 +110,26 @@ inline double potential(const Cloth& cloth, double h, const VecX& v, System& sys
          potential_energy(cloth, system.trial.x) - 0.5 * h * v.dot(system.Dv);
 }
 
-// How far to go along Δv: halved until Φ falls by 1e-4 of what its slope, bᵀΔv, promises (Armijo).
-inline double line_search(const Cloth& cloth, double h, double slope, double Phi, double rounding,
+// The fraction of Δv to take. descent = bᵀΔv is −dΦ/dstep. The step is halved until Φ falls by at least
+// 1e-4 · step · descent (Armijo).
+inline double line_search(const Cloth& cloth, double h, double descent, double Phi, double rounding,
                           System& system) {
-  double step = slope < 0 ? -1 : 1;  // downhill, whatever A is
-  if (std::abs(slope) <= rounding) return step;
+  double step = descent < 0 ? -1 : 1;  // downhill, whatever A is
+  if (std::abs(descent) <= rounding) return step;
   while (std::abs(step) > 1e-12 &&
-         potential(cloth, h, system.v + step * system.dv, system) > Phi - 1e-4 * step * slope)
+         potential(cloth, h, system.v + step * system.dv, system) > Phi - 1e-4 * step * descent)
     step /= 2;
   return step;
 }
 
-// Newton's method on Φ from v = 0: A is its second derivative or the definite part, b = −Φ'. Its first
-// definite step is the plain step below. It has converged when the Newton decrement bᵀΔv is 1e-8 of the
-// first one, and so Δv about 1e-4 of the first.
+// Newton's method on Φ, from v = 0: b = −Φ', and A is Φ'' or its definite part. With --jacobian definite
+// the first iteration is the plain step below. Converged: the Newton decrement bᵀΔv is at most 1e-8 of the
+// first decrement, and so Δv about 1e-4 of the first Δv.
 inline void newton_step(const Cloth& cloth, double h, State& state, System& system) {
   VecX &v = system.v, &b = system.b;
   system.start = state;
-  system.trial = {state.x, v.setZero()};  // at rest: the damping force is D v
+  system.trial.x = state.x;
+  system.trial.v = v.setZero();  // at rest: the damping force is D v
   double first = 0;
   bool converged = false;
   for (int iteration = 0; iteration < system.method.newton && !converged; ++iteration) {
@@ -147,7 +149,8 @@ inline void newton_step(const Cloth& cloth, double h, State& state, System& syst
     converged = std::abs(decrement) <= 1e-8 * (first + rounding);
   }
   if (!converged) ++system.counts.unconverged;
-  state = {system.trial.x, v};
+  state.x = system.trial.x;
+  state.v = v;
 }
 
 inline void time_step(const Cloth& cloth, double h, State& state, System& system) {

@@ -43,7 +43,7 @@ struct Sum {
 // How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
 // and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
 // Their derivatives:     K = −k ∂C/∂y ∂C/∂yᵀ − (k C + kd Ċ) ∂²C/∂y²,  D = −kd ∂C/∂y ∂C/∂yᵀ
-// A stays positive definite if of the second term only max(k C, 0) ∂²C/∂y² of convex C is kept.
+// With --jacobian definite, K keeps only max(k C, 0) ∂²C/∂y² of convex C. Then A is positive definite.
 template <class Condition, class Rates, int Y>
 void act(const Term& term, const Condition& c, Jacobian jacobian, const Rates& ydot, Sum<Y>& sum) {
   constexpr int M = Condition::M;
@@ -85,7 +85,7 @@ inline void add_gravity(const Cloth& cloth, System& system) {
     system.f.segment<3>(3 * i) += cloth.mass[3 * i] * *cloth.gravity;
 }
 
-// flatten: all that this function calls is inlined into it, which makes a step 1.2 times as fast.
+// flatten: the compiler inlines every call in this function. A step is then up to a tenth faster.
 [[gnu::flatten]] inline void forces(const Cloth& cloth, const State& state, System& system) {
   system.f.setZero();
   system.K.set_zero();
@@ -100,7 +100,7 @@ inline void add_gravity(const Cloth& cloth, System& system) {
 
 // 2. Conjugate gradients --------------------------------------------------------------------------
 
-// The filter: r ← S r leaves of r what the pins leave free.
+// The filter, r ← S r: removes from r its components in the directions that pins hold.
 inline void filter(const Cloth& cloth, VecX& r) {
   for (const Pin& pin : cloth.pins) {
     const Vec3 r_i = r.segment<3>(3 * pin.vertex);
@@ -108,7 +108,7 @@ inline void filter(const Cloth& cloth, VecX& r) {
   }
 }
 
-// z: what v lacks of the pins' velocity in the directions that they hold, zero everywhere else.
+// z: the velocity of the pin minus v in the directions that a pin holds, and zero in all others.
 inline void prescribe(const Cloth& cloth, const VecX& v, VecX& z) {
   z.setZero();
   for (const Pin& pin : cloth.pins) {
@@ -117,10 +117,10 @@ inline void prescribe(const Cloth& cloth, const VecX& v, VecX& z) {
   }
 }
 
-// Modified conjugate gradients (BW98): of all Δv that are z where pins hold, the one that makes
-// ½ Δvᵀ A Δv − bᵀ Δv smallest, where the residual r = S (b − A Δv) is zero. Every direction c is
-// A-conjugate to those before it. Enough is rᵀ P⁻¹ r ≤ tolerance² Δvᵀ M Δv: if P were A, Δv would then
-// be wrong by no more than `tolerance` of itself, both measured by their kinetic energy.
+// Modified conjugate gradients (BW98): minimises ½ Δvᵀ A Δv − bᵀ Δv over all Δv that equal z in the
+// directions that pins hold. At the minimum the residual r = S (b − A Δv) is zero. Each direction c is
+// A-conjugate to the earlier ones. The iteration ends at rᵀ P⁻¹ r ≤ tolerance² Δvᵀ M Δv: if P were A, the
+// error of Δv would then be at most tolerance times Δv, both measured by their kinetic energy.
 inline void conjugate_gradients(const Cloth& cloth, System& system) {
   VecX &dv = system.dv, &r = system.r, &c = system.c, &q = system.q, &s = system.s;
   system.A.multiply(dv, q);  // Δv = z
@@ -170,25 +170,27 @@ inline double potential(const Cloth& cloth, double h, const VecX& v, System& sys
          potential_energy(cloth, system.trial.x) - 0.5 * h * v.dot(system.Dv);
 }
 
-// How far to go along Δv: halved until Φ falls by 1e-4 of what its slope, bᵀΔv, promises (Armijo).
-inline double line_search(const Cloth& cloth, double h, double slope, double Phi, double rounding,
+// The fraction of Δv to take. descent = bᵀΔv is −dΦ/dstep. The step is halved until Φ falls by at least
+// 1e-4 · step · descent (Armijo).
+inline double line_search(const Cloth& cloth, double h, double descent, double Phi, double rounding,
                           System& system) {
-  double step = slope < 0 ? -1 : 1;  // downhill, whatever A is
-  if (std::abs(slope) <= rounding) return step;
+  double step = descent < 0 ? -1 : 1;  // downhill, whatever A is
+  if (std::abs(descent) <= rounding) return step;
   while (std::abs(step) > 1e-12 &&
-         potential(cloth, h, system.v + step * system.dv, system) > Phi - 1e-4 * step * slope)
+         potential(cloth, h, system.v + step * system.dv, system) > Phi - 1e-4 * step * descent)
     step /= 2;
   return step;
 }
 
-// Newton's method on Φ from v = 0: A is its second derivative or the definite part, b = −Φ'. Its first
-// definite step is the plain step below. It has converged when the Newton decrement bᵀΔv is 1e-8 of the
-// first one, and so Δv about 1e-4 of the first.
+// Newton's method on Φ, from v = 0: b = −Φ', and A is Φ'' or its definite part. With --jacobian definite
+// the first iteration is the plain step below. Converged: the Newton decrement bᵀΔv is at most 1e-8 of the
+// first decrement, and so Δv about 1e-4 of the first Δv.
 inline void newton_step(const Cloth& cloth, double h, State& state, System& system) {
   VecX &v = system.v, &b = system.b;
   system.start = state;
-  system.trial = {state.x, v.setZero()};  // at rest: the damping force is D v
-  prescribe(cloth, v, system.dv);         // but where pins move
+  system.trial.x = state.x;
+  system.trial.v = v.setZero();    // at rest: the damping force is D v
+  prescribe(cloth, v, system.dv);  // but where pins move
   v += system.dv;
   system.trial.x += h * v;
   double first = 0;
@@ -210,10 +212,11 @@ inline void newton_step(const Cloth& cloth, double h, State& state, System& syst
     converged = std::abs(decrement) <= 1e-8 * (first + rounding);
   }
   if (!converged) ++system.counts.unconverged;
-  state = {system.trial.x, v};
+  state.x = system.trial.x;
+  state.v = v;
 }
 
-// The cloth remembers its folds: which of the angles that look alike, a full turn apart, is θ.
+// A fold and the same fold after a full turn look alike. The hinge stores θ, so that the two differ.
 inline void time_step(Cloth& cloth, double h, State& state, System& system) {
   follow(cloth.hinges.elements, state.x);
   if (system.method.newton > 1) return newton_step(cloth, h, state, system);

@@ -97,14 +97,13 @@ std::string describe_solve(const Options& options, const Survey& s) {
 }
 
 // Counts that are not fatal but deserve a warning.
-void print_warning(const Options& options, const Survey& s) {
+void print_warning(const Survey& s) {
   const Counters counters = s.baseline.simulation.counters();
   std::vector<std::string> warnings;
   const auto warn = [&](long number, const std::string& of_what) {
     if (number > 0) warnings.push_back(std::to_string(number) + of_what);
   };
-  warn(counters.indefinite, std::string(options.concepts.iterative ? " systems" : " steps") +
-                                " whose matrix is not positive definite");
+  warn(counters.indefinite, " systems whose matrix is not positive definite");
   warn(counters.capped, " systems that reached --max-iterations");
   warn(counters.unconverged, " steps in which Newton did not converge");
   if (!warnings.empty()) print_wrapped("warning: " + joined(warnings, ", "));
@@ -145,7 +144,7 @@ void print_costs(const Options& options, const Scene& scene, const std::vector<P
     print_cost("damping", {s.median_saved.back(), D}, whole,
                "of all terms, contained in the rows above");
   }
-  print_warning(options, s);
+  print_warning(s);
 }
 
 // What sets h -------------------------------------------------------------------------------------

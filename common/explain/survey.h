@@ -1,5 +1,5 @@
 // What --explain measures. All runs advance together, from stop to stop, so that a busy machine
-// slows all of them alike. They end with the scene, or after a few seconds of CPU time.
+// slows all of them alike. They end with the scene, or after time_budget (survey.cpp).
 #pragma once
 #include <optional>
 

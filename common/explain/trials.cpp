@@ -72,7 +72,7 @@ void Trial::advance() {
       finite = state.x.allFinite();
     }
   });
-  if (!finite || !(max_stretch(*mesh, state.x) <= exploded_stretch))
+  if (!finite || has_exploded(max_stretch(*mesh, state.x)))
     ended = text("explodes by t = %.3g s", double(steps) * h);
 }
 

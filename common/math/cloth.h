@@ -2,6 +2,7 @@
 // the scene does not name is empty.
 #pragma once
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "math/grid.h"
@@ -47,9 +48,9 @@ struct State {
   VecX v;  // m/s
 };
 
-// Hands every family to act(family). Families: a Cloth, const or not, or its Families alone.
-template <class Families, class Act>
-void for_each_family(Families& cloth, const Act& act) {
+// Hands every family to act(family). AnyFamilies: a Cloth, const or not, or its Families alone.
+template <class AnyFamilies, class Act>
+void for_each_family(AnyFamilies& cloth, const Act& act) {
   act(cloth.triangles);
   act(cloth.springs);
   act(cloth.hinges);
@@ -58,8 +59,8 @@ void for_each_family(Families& cloth, const Act& act) {
 }
 
 // Hands every term, present or not, to act(term).
-template <class Families, class Act>
-void for_each_term(Families& cloth, const Act& act) {
+template <class AnyFamilies, class Act>
+void for_each_term(AnyFamilies& cloth, const Act& act) {
   for_each_family(cloth, [&](auto& family) { family.for_each_term(act); });
 }
 
@@ -69,6 +70,7 @@ const std::optional<T>& Families::term() const {
   for_each_family(*this, [&]<class Family>(const Family& family) {
     if constexpr (Family::template lists<T>) place = &family.template term<T>();
   });
+  if (!place) throw std::logic_error("no family of math/cloth.h lists this term");
   return *place;
 }
 

@@ -35,12 +35,12 @@ struct Condition {
   int first = 0;
 };
 
-// What a condition costs: E = k/2 C². Its damping is d = −kd Ċ ∂C/∂x.
+// The stiffness and the damping of conditions: E = k/2 C², d = −kd Ċ ∂C/∂x. TermInfo::units has their units.
 struct Term {
   explicit Term(double k_, double kd_ = 0) : k(k_), kd(kd_) {}
 
-  double k;   // N/m for stretch, shear and springs
-  double kd;  // N·s/m
+  double k;
+  double kd;
 };
 
 // The N vertices that an element reads, and the weights that make its Y vectors y of them. The

@@ -1,4 +1,4 @@
-// What an implicit step counts: none of it ends a run, all of it is reported.
+// The counts of an implicit step. No count ends a run; the report names every count above zero.
 #pragma once
 
 struct Counters {

@@ -17,12 +17,12 @@ struct Hinge : VertexElement<4> {
   static constexpr std::string_view plural = "hinges";
   double rest_angle = 0;  // θ0
   double shape = 1;       // Bridson's c = |e|²/(|N0| + |N1|), from the rest shape
-  double theta = 0;       // θ of the last step, which may lie beyond ±π
+  double theta = 0;       // θ where the time step starts; may lie beyond ±π
 };
 
 // θ can grow beyond ±π. Angles that differ by a full turn look alike; θ is the one that is nearest to
-// θ of the last step. So a fold that is swept through π keeps its energy and the sign of its force. A
-// degenerate fold, which has no angle, keeps the last θ.
+// the stored theta. So a fold that is swept through π keeps its energy and the sign of its force. A
+// degenerate fold, which has no angle, keeps the stored θ.
 inline double angle(const Hinge& hinge, const Fold& fold) {
   if (!has_angle(fold)) return hinge.theta;
   return hinge.theta + std::remainder(angle(fold) - hinge.theta, 2 * std::numbers::pi);
@@ -33,7 +33,7 @@ inline void follow(std::span<Hinge> hinges, const VecX& x) {
   for (Hinge& hinge : hinges) hinge.theta = angle(hinge, make_fold(gather(hinge, x)));
 }
 
-// θ of a hinge with both derivatives. A degenerate fold has the energy of the last θ, and no force.
+// θ of a hinge with both derivatives. A degenerate fold has the energy of the stored θ, and no force.
 struct Angle {
   Angle(const Hinge& hinge, const Vecs<4>& p)
       : fold(make_fold(p)), exists(has_angle(fold)), value(angle(hinge, fold)),

@@ -178,7 +178,7 @@ void Multigrid::set(const BlockMatrix& A) {
     for (int s = last.row_start[i]; s < last.row_start[i + 1]; ++s)
       dense.block<3, 3>(3 * last.column[s], 3 * i) = last.upper[s].transpose();
   }
-  // Pins can hold everything that P makes of a coarse zigzag. This small number prevents a zero pivot.
+  // P can map a coarse zigzag onto pinned vertices only; its pivot would be zero. This small number prevents that.
   dense.diagonal().array() += 1e-12 * dense.diagonal().maxCoeff();
   coarsest.compute(dense);
 }
@@ -205,7 +205,7 @@ void Multigrid::solve_densely(Level& level) const {
   coarsest.solveInPlace(level.s);
 }
 
-// Row i hands its s to the later rows: t is what each row still has to explain.
+// t_i = r_i − Σ A_ij s_j over the rows j < i that are done.
 void Multigrid::smooth_forwards(Level& level) {
   const BlockMatrix& A = level.A;
   VecX &s = level.s, &t = level.t;

@@ -5,9 +5,10 @@
 //   s += (Δ + Lᵀ)⁻¹ (r − A s)          smooth, backwards: that makes the cycle symmetric
 //
 // P interpolates along the edges of the coarse grid, A_c = Pᵀ A P (Galerkin), and A_c⁻¹ is the same
-// cycle again, down to a grid that cannot be halved; that is solved densely. Smoothing takes out what
-// is rough, and what is smooth looks rough on a coarser grid. Where pins hold all fine vertices around
-// a coarse one, nothing of it is left in A_c: it counts as held itself.
+// cycle again, down to a grid that cannot be halved; its system is solved densely. Smoothing removes
+// errors that change from vertex to vertex. The smooth error that remains changes from vertex to vertex on
+// a coarse grid, and is removed there. If pins hold all fine vertices around a coarse vertex, its row of
+// A_c is zero: the coarse vertex is pinned, too.
 #pragma once
 #include <Eigen/Cholesky>
 

@@ -1,6 +1,7 @@
 // Preconditioners for conjugate gradients: s = P⁻¹ r with a symmetric positive definite P that is near
-// A and cheap to divide by. In the directions that a pin holds every P but Jacobi's is one, so that P⁻¹
-// maps the directions that the pins leave free onto themselves. Jacobi's has no oblique directions.
+// A and cheap to divide by. P⁻¹ maps the directions that the pins leave free onto themselves: P of
+// "block", "ic" and "multigrid" is the identity in the directions that a pin holds, and P of "none" is a
+// number. P of "jacobi" is diagonal: it does so only if the directions of the pin are along x, y and z.
 #pragma once
 #include <memory>
 #include <optional>
@@ -18,9 +19,9 @@ class Preconditioner {
   virtual void apply(const VecX& r, VecX& s) = 0;  // s = P⁻¹ r
 };
 
-// "none": one number, "jacobi": the diagonal of A, "block": its 3 × 3 diagonal blocks, "ic": incomplete_cholesky.h,
-// "multigrid": multigrid.h. Throws std::invalid_argument for another name, and for multigrid on what is
-// not a grid that can be halved (with what to use instead).
+// "none": one number. "jacobi": the diagonal of A. "block": its 3 × 3 diagonal blocks.
+// "ic": incomplete_cholesky.h. "multigrid": multigrid.h. Throws std::invalid_argument for any other name,
+// and for multigrid on a cloth that is not a grid of even cells; the message names an alternative.
 std::unique_ptr<Preconditioner> make_preconditioner(const std::string& name,
                                                     const BlockMatrix& pattern,
                                                     const std::vector<Pin>& pins,

@@ -7,7 +7,7 @@
 
 namespace {
 
-// The stretch of both threads of a face: |w_u| and |w_v|.
+// The larger stretch of the two threads of a face: max(|w_u|, |w_v|).
 double face_stretch(const Mesh& mesh, size_t face, const VecX& x) {
   const Vecs<2> w = gather(make_triangle(mesh, face), x);
   return std::sqrt(std::max(w[0].squaredNorm(), w[1].squaredNorm()));

@@ -25,6 +25,9 @@ Energies energies(const Cloth&, const State&);
 
 // A cloth with a thread of more than this many times its length has exploded.
 constexpr double exploded_stretch = 1000;
+inline bool has_exploded(double max_stretch) {
+  return !(max_stretch <= exploded_stretch);  // also where it is NaN
+}
 
 // The largest |w_u| or |w_v| of all triangles: 1 at rest.
 double max_stretch(const Mesh&, const VecX& x);

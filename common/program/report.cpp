@@ -11,6 +11,7 @@ namespace {
 // Another method that may not explode, where the method can be to blame.
 std::string other_method(const Options& options) {
   const Method& method = options.method;
+  if (!options.concepts.implicit) return "";
   if (method.jacobian == Jacobian::bw98) return "--jacobian definite, or ";
   if (method.newton == 1) return "--newton 20, or ";
   return options.concepts.iterative ? "a smaller --tolerance, or " : "";
@@ -46,8 +47,7 @@ std::string Report::explosion(const RunTotals& run, const std::string& seen) con
                            double(run.steps) * scene.time.h) +
                       seen;
   if (run.counts.indefinite > 0)
-    words += ", after " +
-             count(run.counts.indefinite, options.concepts.iterative ? "system" : "step") +
+    words += ", after " + count(run.counts.indefinite, "system") +
              " whose matrix was not positive definite";
   return words + "; " + advice(run);
 }
@@ -92,10 +92,12 @@ void Report::warnings(const RunTotals& run, const Watch& watch) const {
               watch.most_gained / watch.scale.joule,
               watch.scale.is_weight_times_size ? "weight × size" : "that energy"));
   if (counts.indefinite > 0 && iterative)
-    warn("conjugate gradients met pᵀAp ≤ 0, or not a number, and stopped early in " +
-         count(counts.indefinite, "system"));
+    warn(
+        "conjugate gradients met cᵀA c ≤ 0, or a value that is not a number, and stopped early "
+        "in " +
+        count(counts.indefinite, "system"));
   if (counts.indefinite > 0 && !iterative)
-    warn("the matrix was not positive definite in " + count(counts.indefinite, "step"));
+    warn("the matrix was not positive definite in " + count(counts.indefinite, "system"));
   if (counts.capped > 0)
     warn("conjugate gradients stopped at " + count(options.method.max_iterations, "iteration") +
          " in " + count(counts.capped, "system") +

@@ -89,6 +89,9 @@ struct Run::Impl {
         still_frame(still_frame_of(scene)) {}
 
   double time() const { return double(run.steps) * scene.time.h; }
+  double seconds_of_stepping() const {
+    return std::chrono::duration<double>(Clock::now() - stepping_since).count();
+  }
 
   const Sample& sample(const State& state) {
     const Sample& now = watch.sample(run.steps, state);
@@ -151,8 +154,7 @@ void Run::record(int frame, const State& state) {
   if (frame == 0) stop_on_ctrl_c();  // from now on there is something to finish
   Impl& r = *impl;
   if (r.run.steps != r.scene.time.step_of_frame(frame)) return;  // stopped on the way to this frame
-  const double seconds =
-      std::chrono::duration<double>(Impl::Clock::now() - r.stepping_since).count();
+  const double seconds = r.seconds_of_stepping();
   r.run.seconds += seconds;
 
   const Sample& sample = r.sample(state);
@@ -169,6 +171,7 @@ void Run::record(int frame, const State& state) {
 
 int Run::finish(const State& state) {
   Impl& r = *impl;
+  if (interrupted) r.run.seconds += r.seconds_of_stepping();  // since the last frame
   r.close();
   write_obj(r.options.out / "final.obj", r.scene.mesh, state.x);
   write_velocities(r.options.out / "final_velocities.csv", state.v);

@@ -9,7 +9,7 @@ struct Sample {
   double max_stretch = 1;
   double lowest = 0;  // m
 
-  bool exploded() const { return !(max_stretch <= exploded_stretch); }  // also where it is NaN
+  bool exploded() const { return has_exploded(max_stretch); }
 };
 
 // Changes of energy are compared with this: the weight of the cloth times its size at the start, or

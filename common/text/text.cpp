@@ -51,7 +51,7 @@ std::string shortest(double number) {
 }
 
 std::string length(double m) {
-  return m < 1 ? text("%.3g mm", 1000 * m) : text("%.3g m", m);
+  return m < 0.9995 ? text("%.3g mm", 1000 * m) : text("%.3g m", m);
 }
 
 std::string bytes(size_t number) {

@@ -165,7 +165,8 @@ TEST_P(ConjugateGradients, IndefiniteSystemsAreCountedAndSaid) {
   EXPECT_GT(last("0.2", "gained"), 0) << "no pin moves, so it is counted";
   expect_says(survived.out, "J more than at the start");
   expect_says(survived.out,
-              "warning: conjugate gradients met pᵀAp ≤ 0, or not a number, and stopped early in " +
+              "warning: conjugate gradients met cᵀA c ≤ 0, or a value that is not a number, and "
+              "stopped early in " +
                   std::to_string(indefinite) + " system");
   EXPECT_EQ(exploded.code, 1);
   EXPECT_EQ(lines_of(exploded.err).size(), 1u) << exploded.err;

@@ -26,8 +26,7 @@ std::string in_step(const char* what, long n, long of) {
 // Why the run cannot go on; empty where it can.
 std::string trouble(const StudyScene& study, const State& state, long n, long steps) {
   if (!state.x.allFinite()) return in_step("exploded", n, steps);
-  if (!(max_stretch(study.scene.mesh, state.x) <= exploded_stretch))
-    return in_step("exploded", n, steps);
+  if (has_exploded(max_stretch(study.scene.mesh, state.x))) return in_step("exploded", n, steps);
   return {};
 }
 
