@@ -1,8 +1,9 @@
-# What every target of the project shares. A step includes this file, before project(), whether it is built
-# alone or from the top. The first step adds the common libraries.
+# Settings and functions that all targets of the project share. A step includes this file before project(),
+# both when it is built alone and when it is built from the top. The first step adds the common libraries.
 include_guard(GLOBAL)
 
-# project() stops where a tool is missing, and its message names no package. So the tools are looked for first.
+# If a tool is missing, project() stops with a message that names no package. So the
+# tools are looked for first.
 function(require_tool debian_package chosen)
   find_program(tool NAMES ${ARGN} NO_CACHE)
   if(NOT tool AND NOT chosen)
@@ -28,16 +29,16 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)  # Eigen without -O is 20 times slower
 endif()
 
-# Eight files are compiled as one: what they instantiate of Eigen is instantiated once, in half the time.
+# Compiles eight files as one: they share their instances of Eigen's templates. This halves the time.
 option(CMAKE_UNITY_BUILD "Compile the files of a target in batches" ON)
 
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)  # for editors and clang-tidy
 
 option(LARGE_STEPS_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
-# A message that names the Debian package beats one that names a CMake variable.
-# find_package_of(libeigen3-dev Eigen3 [AT_LEAST 3.4] [options of find_package]). A version that is handed to
-# find_package itself would also refuse the next major version.
+# Finds a package. If it is missing, the message names the Debian package, which helps more than a CMake
+# variable: find_package_of(libeigen3-dev Eigen3 [AT_LEAST 3.4] [options of find_package]). A version that is
+# given to find_package itself would also refuse the next major version.
 macro(find_package_of debian_package package)
   cmake_parse_arguments(find "" "AT_LEAST" "" ${ARGN})
   find_package(${package} QUIET ${find_UNPARSED_ARGUMENTS})
@@ -49,14 +50,14 @@ macro(find_package_of debian_package package)
   endif()
 endmacro()
 
-# No contraction into fused multiply-adds: with the same Eigen, the same scene gives the same positions to the
-# last bit with every compiler.
+# -ffp-contract=off forbids fused multiply-adds: with the same Eigen, the same scene gives the same positions
+# to the last bit with every compiler.
 function(cloth_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
-    -Wno-missing-field-initializers  # what a braced list leaves out has its default
-    $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>  # g++'s -Wconversion does not ask for it either
+    -Wno-missing-field-initializers  # members that a braced list leaves out have their defaults
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>  # g++'s -Wconversion does not include it either
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # false alarms in std::string of g++ 12
   target_include_directories(${target} PRIVATE ${LARGE_STEPS_COMMON})
   if(LARGE_STEPS_SANITIZE)
@@ -66,7 +67,8 @@ function(cloth_target target)
   endif()
 endfunction()
 
-# Defines NAME for the compiler as a string that holds a path. The raw string takes a path with quotes.
+# Defines NAME for the compiler as a string that holds a path. It is a raw string,
+# because a path may have quotes.
 function(define_path target name path)
   target_compile_definitions(${target} PRIVATE "${name}=R\"path(${path})path\"")
 endfunction()

@@ -1,7 +1,8 @@
-// Prints the table of the top README: what a scene still pays for a part that is left out, and what the
-// part would cost. Counts and bytes are those of 12 × 12 cells, the bytes of a part those of CG with
-// blocks. Times are ratios of CPU times on 32 × 32 cells, of step 2 · step 3 with LDLᵀ · step 5 with blocks:
-// medians over rounds in which the programs take turns, so that a busy machine slows them alike.
+// Prints the table of the top README: the cost of a part that a scene leaves out, and the cost of
+// the part itself. Counts and bytes are those of 12 × 12 cells; the bytes of a part are those of CG
+// with blocks. Times are ratios of CPU times on 32 × 32 cells, of step 2 · step 3 with
+// LDLᵀ · step 5 with blocks. They are medians over rounds in which the programs take turns, so that
+// a busy machine slows all of them alike.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -100,7 +101,7 @@ std::string cost_text(const Motions& m) {
   return text("%+ld bytes", m.bytes) + (m.blocks ? text(", %+ld blocks", m.blocks) : "");
 }
 
-// The times of a step, µs: without the part, in the program built without its code, and with the part.
+// The times of a step, µs: without the part, in the program built without its code, with the part.
 struct Times {
   std::vector<double> absent, built_without, present;
 };
@@ -124,7 +125,7 @@ void add_round(const Part& part, const Configuration& configuration, Times& time
 struct Row {
   Part part;
   Motions motions;
-  std::map<std::string, Times> times;  // by way
+  std::map<std::string, Times> times;  // by configuration
 };
 
 std::string ratios(const Row& row, std::vector<double> Times::*above,

@@ -1,5 +1,5 @@
-// What a scene does not name costs nothing: the scene moves as with stiffness 0, and as in a program that
-// was built without the code, to the last bit and byte.
+// A part that a scene does not name costs nothing: the scene moves as with stiffness 0, and as in a
+// program that was built without the code, to the last bit and byte.
 #include <gtest/gtest.h>
 
 #include "absent/without.h"
@@ -59,7 +59,7 @@ TEST_P(LeftOut, CostsNothing) {
     // The part matters, and the program that was built without the part ignores it.
     const Outcome present = run(part.full, with(part, configuration));
     EXPECT_GT(distance(present, absent), 1e-6);
-    EXPECT_LT(distance(present, absent), 10) << "exploded";
+    EXPECT_LT(distance(present, absent), 10) << "the motion must not explode";
     EXPECT_GT(distance(present, run(part.program, with(part, configuration))), 1e-6);
   }
 }

@@ -2,7 +2,8 @@
 # <build>/tests/absent/cut/PROGRAM, which comes before common/ and the top in the include path. If the piece is
 # not found, configuring fails. After an edit of the original, CMake cuts again.
 
-# The text of FILE (below common/ or the top, or FROM another one) with the cuts of PROGRAM so far.
+# The text of FILE with the cuts of PROGRAM so far. FILE, or the file that FROM names, lies below common/
+# or below the top directory.
 function(cut_text program file from result)
   get_property(known GLOBAL PROPERTY cut_${program}_${file} SET)
   if(NOT known)

@@ -1,6 +1,6 @@
-// Removes the damping of one term at compile time. act() is a template. With an Undamped instead of a Term
-// it compiles to a function without kd and all that kd needs: k C + kd Ċ is k C, and nothing is subtracted
-// from D.
+// Removes the damping of one term at compile time. act() is a template. With an Undamped instead
+// of a Term it compiles to a function without kd and all that kd needs: k C + kd Ċ is k C, and
+// nothing is subtracted from D.
 #pragma once
 #include "math/condition.h"
 
@@ -21,7 +21,7 @@ struct Undamped {
   double k;
   static constexpr Nothing kd = {};
 
-  operator Term() const { return Term(k); }  // for whoever asks for its energy
+  operator Term() const { return Term(k); }  // for functions that ask for its energy
 };
 inline Undamped undamped(const Term& term) {
   return {term.k};

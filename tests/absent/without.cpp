@@ -22,8 +22,8 @@ Scene more(Scene scene, const Scene& additional) {
   return scene;
 }
 
-// Conjugate gradients leave an error that depends on the preconditioner, and ic and multigrid on the
-// pattern: they are compared where that error is rounding.
+// Conjugate gradients leave an error that depends on the preconditioner. ic and multigrid depend on
+// the pattern of the matrix, so they iterate until this error is rounding.
 std::vector<Configuration> all_configurations() {
   const Scene newton = {{"newton", "5"}, {"steps", "8"}}, to_rounding = {{"tolerance", "1e-13"}};
   const Scene bw98 = {{"bw98", "1"}, {"h", "0.001"}};  // definite only in small steps
@@ -85,7 +85,7 @@ Scene without(const Part& part, const Configuration& configuration) {
   return scene;
 }
 
-// Its damping, too: otherwise a term of stiffness 0 would still exert a force.
+// The damping becomes 0, too: otherwise a term of stiffness 0 would still exert a force.
 Scene with_zero(const Part& part, const Configuration& configuration) {
   Scene scene = with(part, configuration);
   for (auto& [name, value] : scene)

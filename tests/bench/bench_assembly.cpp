@@ -1,7 +1,7 @@
-// What the assembly of f, K, D and A costs per triangle, in three ways: ours; the notes' way, nine 3 × 3
-// blocks per condition into triplets and setFromTriplets; and the same blocks into coeffRef of a matrix
-// that has its pattern already. Then a whole step of the default solver beside one from triplets that
-// analyses its matrix anew. Ratios are medians over interleaved rounds of CPU time.
+// The cost of assembling f, K, D and A per triangle, in three ways: ours; the notes' way, nine
+// 3 × 3 blocks per condition as triplets and setFromTriplets; and the same blocks by coeffRef in a
+// matrix that already has its pattern. Then a whole step of the default solver against a step from
+// triplets that analyses its matrix anew. Ratios are medians of CPU times over interleaved rounds.
 #include <cstdio>
 #include <cstdlib>
 #include <Eigen/SparseCholesky>
@@ -65,7 +65,7 @@ struct FromCoeffRef : FromTriplets {
   }
 };
 
-// A whole step from triplets, the pattern analysed anew.
+// A whole step from triplets. It analyses the pattern anew.
 VecX step_from_triplets(const Scene& scene, FromTriplets& way) {
   way.assemble(scene.state);
   VecX b = h * (way.f + h * (way.K * scene.state.v));

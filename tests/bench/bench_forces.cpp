@@ -1,6 +1,6 @@
-// What one evaluation of all forces costs per triangle, in the three ways of three_ways.h.
+// The cost of one evaluation of all forces per triangle, in the three ways of three_ways.h.
 //
-// Google Benchmark gives the absolute times, the table after it the ratios.
+// Google Benchmark prints the absolute times. The table after them has the ratios.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -51,7 +51,7 @@ double ns_per_triangle(Way& way, const Sheet& sheet) {
   return 1e9 * (cpu_seconds() - start) / double(evaluations * sheet.triangles());
 }
 
-// All that is measured at one size, with the times of every round.
+// The three ways at one size, with their times in every round.
 struct Measured {
   explicit Measured(int n) : sheet(n), ours(sheet), notes(sheet), autodiff(sheet) {}
 

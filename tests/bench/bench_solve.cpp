@@ -1,9 +1,9 @@
-// What solving costs: the product with A, a whole implicit step, its growth with the number of vertices,
-// and what a warm start saves. One thread, CPU time, medians of interleaved rounds.
+// The cost of solving: the product with A, a whole implicit step, its growth with the number of
+// vertices, and the savings of a warm start. One thread, CPU time, medians of interleaved rounds.
 //
-// The state is a cloth of equal diagonals in mid-swing: k = 1e4 N/m, k_shear = k/10, kd/k = 1e-3 s,
-// h = 0.01 s, 0.2 kg/m², held by two corners, 0.2 s after it was let go flat. The first run computes
-// and saves it, so that later ones count the same iterations.
+// The state is a cloth with equal diagonals in mid-swing: k = 1e4 N/m, k_shear = k/10,
+// kd/k = 1e-3 s, h = 0.01 s, 0.2 kg/m², held by two corners, 0.2 s after it was released flat. The
+// first run computes and saves this state, so that later runs count the same iterations.
 #include "bench_solve.h"
 
 #include <map>

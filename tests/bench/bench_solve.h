@@ -1,5 +1,5 @@
-// The parts of bench_solve. Each prints a table and says whether its counts are as they should be;
-// times are for reading.
+// The parts of bench_solve. Each part prints a table and returns whether its counts are as they
+// should be. It does not judge times.
 #pragma once
 #include <cstdio>
 #include <functional>

@@ -1,10 +1,11 @@
-// The matrix of a grid with equal diagonals as a table: 7 blocks, 21 columns, to every vertex.
+// The matrix of a grid with equal diagonals as a table: 7 blocks, 21 columns, per vertex.
 //
 //   slot  0   1     2   3  4   5     6
 //   j−i  −w  −w+1  −1   0  1  w−1    w       w = cells_x + 1 vertices in a row
 //
-// Where a neighbour lies follows from the slot, so that no column number is stored; beyond the edge of
-// the grid the blocks are zero. The price: it fits no other mesh, nor an element that reaches further.
+// The slot tells where the neighbour is, so no column number is stored. Beyond the edge
+// of the grid the blocks are zero. The price: the table fits no other mesh, and no
+// element that reaches further.
 #pragma once
 #include <algorithm>
 #include <stdexcept>

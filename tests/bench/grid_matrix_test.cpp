@@ -1,4 +1,4 @@
-// The table of a grid is the matrix of blocks in another storage.
+// The table of a grid stores the same matrix as the block matrix.
 #include "bench/grid_matrix.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(GridMatrix, RefusesAlternatingDiagonals) {
   EXPECT_THROW(GridMatrix({{4, 4}, Diagonals::alternating}), std::invalid_argument);
 }
 
-// What bending will couple, two vertices across an edge, has no place in 7 blocks.
+// Bending couples two vertices across an edge. The 7 blocks have no place for such a pair.
 TEST(GridMatrix, RefusesNeighboursBeyondTheTable) {
   const Grid grid{{4, 4}, Diagonals::same};
   const BlockMatrix A =

@@ -1,6 +1,6 @@
-// What bending costs: assembly per hinge, a whole step beside the usual way at equal error in Δv, and
-// its growth with the number of vertices. The cloth is that of the other parts, with k = 1e-4 N·m of
-// bending.
+// The cost of bending: assembly per hinge, a whole step against the usual way at equal error in
+// Δv, and its growth with the number of vertices. The cloth is that of the other parts, with a
+// bending stiffness of 1e-4 N·m.
 #include <Eigen/IterativeLinearSolvers>
 
 #include "bench_solve.h"
@@ -28,7 +28,7 @@ struct Folding {
     cloth = make_cloth(mesh, model);
     state = {mesh.x, VecX::Zero(mesh.x.size())};
     if (!bends) return;
-    constexpr int parts = 4;  // of a step, as whole ones tear the finest grids
+    constexpr int parts = 4;  // per step: whole steps tear the finest grids
     step05::System system(cloth, {.preconditioner = "multigrid", .tolerance = 1e-4});
     for (int n = 0; n < 20 * parts; ++n) step05::time_step(cloth, h / parts, state, system);
   }
@@ -39,7 +39,8 @@ struct Folding {
   State state;
 };
 
-// A step from `state` at the loosest of 0.3, 0.1, 0.03 … whose Δv is right to the error allowed.
+// A step from `state` with the loosest tolerance of 0.3, 0.1, 0.03 … that keeps Δv
+// within the allowed error.
 struct Step {
   std::string name;
   double tolerance = 1;
@@ -126,7 +127,7 @@ void print(const Folding& c, const std::vector<Step>& steps) {
                 median_ratio(step.seconds, steps[0].seconds));
 }
 
-// f, K, D and A with hinges, and without.
+// The time to assemble f, K and D with hinges and without.
 void assembly(int cells) {
   Folding with(cells), without(cells, false);
   without.state = with.state;
@@ -144,7 +145,7 @@ void assembly(int cells) {
       1e9 * median(spent[1]) / double(with.mesh.faces.size()));
 }
 
-// Step 5 on a scene without bending, beside step 4.
+// Compares step 5 with step 4 on a scene without bending.
 void absent(int cells) {
   Folding c(cells, false);
   step04::System four(c.cloth, {.preconditioner = "multigrid"});

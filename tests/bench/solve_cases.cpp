@@ -69,7 +69,7 @@ Case::Case(const Setting& s)
   save(file_of(s), kept);
 }
 
-// A step that may not iterate stops with everything prepared.
+// A step without iterations prepares everything and solves nothing.
 Problem::Problem(const Case& c, const std::string& preconditioner)
     : system(c.cloth, {.preconditioner = preconditioner, .max_iterations = 0}) {
   State state = c.state;

@@ -1,13 +1,13 @@
-// The systems that the solvers are compared on, one step of cloths in mid-swing, and what is known of a
-// solution of one: iterations, residual, error.
+// The systems on which the solvers are compared, each from one step of a cloth in mid-swing, and
+// the measurements of a solution: iterations, residual, error.
 #pragma once
 #include "math/direct_solver.h"
 #include "scene/make_cloth.h"
 #include "step04_cg/time_step.h"
 
-// What tells one case from another. Every cloth is 1 m × 1 m with 0.2 kg/m², held by the two corners at
-// the back, and swings from flat for `steps` steps of h, each taken in `parts`: in whole ones, linearised
-// once, the finest grids would tear here, and a torn cloth is a system of its own.
+// The parameters of a case. Every cloth is 1 m × 1 m with 0.2 kg/m² and held by its two back
+// corners. It starts flat and swings for `steps` steps of h. Each step is taken in `parts`: whole
+// steps, linearised once, would tear the finest grids, and a torn cloth is another system.
 struct Setting {
   int cells;
   Diagonals diagonals = Diagonals::same;
@@ -24,44 +24,44 @@ struct Case {
   Mesh mesh;
   Cloth cloth;
   State state;
-  VecX last_dv;  // of the step that led here
+  VecX last_dv;  // of the step that led to `state`
   double vertices() const { return double(cloth.vertices()); }
 };
 
-// cholmod where it was found when building, else ldlt.
+// "cholmod" if the build found it, else "ldlt".
 const std::string& best_direct();
 
-// A, b, preconditioner and dv = z of the step that comes next, and the true Δv.
+// A, b, the preconditioner and dv = z of the next step. true_dv solves its system directly.
 struct Problem {
   Problem(const Case&, const std::string& preconditioner);
   step04::System system;
 };
 VecX true_dv(const Case&, const step04::System&);
 
-// Conjugate gradients as in step 4, from Δv = dv, seen from outside before every iteration: what the
-// stop test compares with the tolerance, √(rᵀ T r) / |Δv|_M, and the error relative to the true Δv. Ends
-// where both are small enough.
+// Conjugate gradients as in step 4, from Δv = dv, with a look before every iteration at two
+// numbers: √(rᵀ P⁻¹ r) / |Δv|_M, which the stop test compares with the tolerance, and the error
+// relative to the true Δv. Ends when both are small enough.
 struct Look {
   double left, error;
 };
 std::vector<Look> watch(const Case&, step04::System&, VecX dv, const VecX& truth,
                         const Look& enough);
 
-// After how many iterations the loop ends that stops at a tolerance.
+// The number of iterations of a loop that stops at this tolerance.
 inline size_t iterations(const std::vector<Look>& looks, double tolerance) {
   size_t i = 0;
   while (i + 1 < looks.size() && looks[i].left > tolerance) ++i;
   return i;
 }
 
-// After how many iterations the error is small enough, if one knew it.
+// The number of iterations that the error itself needs. The loop of a step cannot know this error.
 inline size_t iterations_to(const std::vector<Look>& looks, double error) {
   size_t i = 0;
   while (i + 1 < looks.size() && looks[i].error > error) ++i;
   return i;
 }
 
-// The loosest of the tolerances 1, 3e-1, 1e-1, 3e-2 … that leaves at most this error.
+// The loosest tolerance of 1, 3e-1, 1e-1, 3e-2 … that leaves at most this error.
 double loosest(const std::vector<Look>&, double error);
 
 inline size_t bytes(const BlockMatrix& A) {

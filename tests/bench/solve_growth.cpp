@@ -1,4 +1,5 @@
-// How a step grows with the number of vertices, and where conjugate gradients win over factors.
+// How the time of a step grows with the number of vertices, and where conjugate
+// gradients beat direct solvers.
 #include <Eigen/SparseCholesky>
 #include <map>
 
@@ -15,15 +16,16 @@ struct Point {
   std::string name;  // the preconditioner and the error, or the direct solver
   int cells;
   double tolerance = 0;
-  size_t iterations = 0, needed = 0;  // with the tolerance; to the error itself
+  size_t iterations = 0, needed = 0;  // to reach the tolerance; to reach the error
   std::function<void()> step = {};
-  double stored = 0, read = 0;  // bytes per vertex: kept for A's solver, and read in an iteration
+  double stored = 0, read = 0;  // bytes per vertex: of A and its solver; read per iteration
   std::vector<double> seconds = {};
   double vertices() const { return double((cells + 1) * (cells + 1)); }
 };
 
-// What one iteration reads of matrices: A once, ic its factor twice, a V-cycle the blocks above the
-// diagonal four times and the inverse diagonal ones twice on every level.
+// The bytes of matrices that one iteration reads, per vertex. It reads A once. ic reads its
+// factor twice. A V-cycle reads, on every level, the blocks above the diagonal four times and the
+// inverse diagonal blocks twice.
 double bytes_read(const std::string& preconditioner, const Grid& grid, const BlockMatrix& A) {
   const auto matrix = [](double vertices, double edges) {
     return std::pair{double(sizeof(Mat3)) * vertices, double(sizeof(Mat3) + sizeof(int)) * edges};
@@ -51,7 +53,7 @@ double bytes_stored(const std::string& preconditioner, const Case& c, const Bloc
   return stored / A.rows();
 }
 
-// The factor of the sparse LDLᵀ.
+// The bytes per vertex of A and of the sparse factor L of LDLᵀ.
 double bytes_of_factor(const Case& c, const BlockMatrix& A) {
   FreeMatrix free(A, c.cloth.inverse_mass);
   free.copy(A);
@@ -100,7 +102,7 @@ void add_direct(const Case& c, const std::string& solver, double stored,
                     stored, 0});
 }
 
-// Every way at one size, interleaved; what takes seconds is not repeated often.
+// Measures every way at one size, in interleaved rounds. A way that has taken 2 s is not repeated.
 std::vector<Point> measure(int cells) {
   const Case c({.cells = cells});
   std::fprintf(stderr, "  (%d x %d cells)\n", cells, cells);
@@ -123,7 +125,7 @@ std::vector<Point> measure(int cells) {
 
 using Series = std::map<std::string, std::vector<Point>>;
 
-// p of seconds ~ N^p, by least squares over all sizes and from the last two.
+// The exponent p of seconds ~ N^p, by least squares over all sizes and from the last two sizes.
 std::pair<double, double> exponents(const std::vector<Point>& points) {
   const auto x = [&](size_t i) { return std::log(points[i].vertices()); };
   const auto y = [&](size_t i) { return std::log(median(points[i].seconds)); };

@@ -1,4 +1,4 @@
-// One product with A: our blocks, the table of a grid, and Eigen's sparse matrices.
+// The cost of one product with A: our blocks, the table of a grid, and Eigen's sparse matrices.
 #include "bench/grid_matrix.h"
 #include "bench_solve.h"
 #include "solve_cases.h"

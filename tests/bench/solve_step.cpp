@@ -1,5 +1,5 @@
-// A whole implicit step, from the state to the next, at equal error in Δv: step 4 with each
-// preconditioner, the direct solvers of step 3, and the usual way.
+// A whole implicit step, from one state to the next, at equal error in Δv: step 4 with each
+// preconditioner, the direct solvers of step 3, and the usual way (usual_way.h).
 #include <Eigen/IterativeLinearSolvers>
 
 #include "bench_solve.h"
@@ -14,8 +14,8 @@ constexpr double error_allowed = 0.01;
 
 struct Way {
   std::string name;
-  double tolerance;                    // 0: direct
-  std::function<long(VecX& dv)> step;  // → iterations
+  double tolerance;                    // 0 for a direct solver
+  std::function<long(VecX& dv)> step;  // returns the iterations
   long iterations = 0;
   double error = 0;
   std::vector<double> seconds = {};
@@ -48,7 +48,8 @@ Way direct(const Case& c, const std::string& solver) {
           }};
 }
 
-// Triplets and a new matrix in every step, Eigen's conjugate gradients with its diagonal.
+// Triplets and a new matrix in every step; Eigen's conjugate gradients,
+// preconditioned by the diagonal.
 long usual_step(const Case& c, FromTriplets& way, double tolerance, VecX& dv) {
   way.assemble(c.state);
   VecX b = way.h * (way.f + way.h * (way.K * c.state.v));
@@ -97,7 +98,7 @@ void print(const Case& c, const std::vector<Way>& ways) {
   }
 }
 
-// Programs of others, timed on the same kind of machine at 80 × 80 vertices.
+// Compares with programs of other authors, timed on the same kind of machine at 80 × 80 vertices.
 void compare_with_peers() {
   const Case c({.cells = 80});
   const VecX truth = true_dv(c, Problem(c, "none").system);

@@ -1,5 +1,6 @@
-// What it saves to begin with the last step's Δv instead of z, at equal error: in runs as the program takes
-// them, and in one whose steps are taken in parts, where Δv changes more from step to step.
+// The savings of a warm start, from the last step's Δv instead of z, at equal error.
+// Most runs take steps as the program does. One run takes its steps in parts; there Δv
+// changes more from step to step.
 #include "bench_solve.h"
 #include "solve_cases.h"
 

@@ -1,5 +1,5 @@
 // The forces of stretch and shear in three ways: ours, the note's formulas vertex by vertex, and
-// automatic differentiation of the energy. The same cloth, the same forces, at what cost?
+// automatic differentiation of the energy. The cloth and the forces are the same, the costs differ.
 #pragma once
 #include <vector>
 
@@ -23,7 +23,7 @@ struct Sheet {
   State state;
 };
 
-// 1. Ours: the conditions add up on w_u, w_v, and go to the vertices once.
+// 1. Ours: the conditions are summed on w_u and w_v, and the sum goes to the vertices once.
 class Ours {
  public:
   explicit Ours(const Sheet& sheet) : cloth(make_cloth(sheet.mesh, model())), system(cloth) {}
@@ -45,11 +45,12 @@ class Ours {
   step01::System system;
 };
 
-// 2. The Baraff–Witkin note (notes 000) as it stands: for each condition and each vertex i
+// 2. The formulas of the Baraff–Witkin note (notes 000) as printed: for each condition and vertex i
 //
 //   f_i −= k C ∂C/∂x_i,   ∂C/∂x_i = α p_u[i] n_u  or  α (p_u[i] w_v + p_v[i] w_u)
 //
-// with p_u, p_v from the determinant of the rest edges, and α = √a for the constant that it leaves open.
+// with p_u, p_v from the determinant of the rest edges. The note leaves
+// the constant α open: α = √a.
 class Transcribed {
  public:
   explicit Transcribed(const Sheet& sheet) : f(sheet.mesh.x.size()) {
@@ -99,7 +100,8 @@ class Transcribed {
   VecX f;
 };
 
-// 3. Eigen's AutoDiffScalar on the energy: nobody derives anything, nine slopes go through every line.
+// 3. Eigen's AutoDiffScalar on the energy: no derivative is written by hand, but every
+// operation carries nine slopes.
 class Differentiated {
  public:
   explicit Differentiated(const Sheet& sheet) : mesh(sheet.mesh), f(sheet.mesh.x.size()) {}

@@ -1,4 +1,4 @@
-// What the benchmark compares is the same thing three times.
+// The three ways of the benchmark compute the same forces.
 #include "three_ways.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The usual way to a system matrix, for comparison: for every condition of an element all the 3 × 3
-// blocks that the notes write down, as triplets into a sparse matrix.
+// The usual way to a system matrix, for comparison: every condition of an element writes all its
+// 3 × 3 blocks, as the notes give them, as triplets into a sparse matrix.
 #pragma once
 #include <Eigen/SparseCore>
 
@@ -17,8 +17,8 @@ inline double weight(const Hinge&, int m, int i) {
   return m == i;
 }
 
-// The forces of a family, and every block (i, j) of K and of D to add(i, j, K_ij, D_ij), as the notes
-// write it.
+// Adds the forces of a family to f, and calls add(i, j, K_ij, D_ij) for every block (i, j) of K and
+// D, by the formulas of the notes.
 template <class Family, class Add>
 void family_blocks(const Family& family, const State& state, VecX& f, const Add& add) {
   constexpr int N = Family::N;
@@ -57,7 +57,8 @@ void notes_blocks(const Cloth& cloth, const State& state, VecX& f, const Add& ad
   for_each_family(cloth, [&](const auto& family) { family_blocks(family, state, f, add); });
 }
 
-// f, K, D and A = M − h D − h² K from triplets; `entries` keep their memory from step to step.
+// f, K, D and A = M − h D − h² K from triplets. The lists of triplets keep their
+// memory from step to step.
 struct FromTriplets {
   FromTriplets(const Cloth& cloth_, double h_) : cloth(cloth_), h(h_), f(cloth.mass.size()) {
     for (Sparse* matrix : {&K, &D, &M}) matrix->resize(f.size(), f.size());
@@ -77,7 +78,7 @@ struct FromTriplets {
     D.setFromTriplets(D_entries.begin(), D_entries.end());
     A = M - h * D - h * h * K;
   }
-  // What the pins hold leaves the system: their rows and columns of A become those of M.
+  // Takes the pinned coordinates out of the system: their rows and columns of A become those of M.
   void hold_pins(VecX& b) {
     A.prune([&](Eigen::Index r, Eigen::Index c, double) {
       return r == c || (cloth.inverse_mass[r] > 0 && cloth.inverse_mass[c] > 0);

@@ -1,13 +1,14 @@
-// The default settings, from states that no cloth was ever in. What they hold of energy at the start,
-// up to 1e11 J, is thrown out in the first steps, often with more than there was: a single Newton step
-// overshoots. But the next steps, however long, bring the cloth back.
+// The default settings, from starts that no real cloth reaches. A start holds up to 1e11 J. The
+// first steps release this energy and often add to it, because a single Newton step overshoots. The
+// next steps, however long, bring the cloth back.
 #include "support/table.h"
 #include "ways/simulator.h"
 
 namespace extremes::bad_starts_test {
 
-// From h = 0.01 s on, after a second and 60 steps. At shorter steps little energy is lost in a second,
-// and a tangle of 1e5 J rightly has not come to rest: only watched for 0.2 and 0.02 s.
+// The stretch is checked from h = 0.01 s on, after one second and at least 60 steps. Shorter steps
+// lose little energy in a second, and a tangle of 1e5 J is rightly not at rest by then. So these
+// runs last only 0.2 s or 0.02 s, and must only stay finite and definite.
 void expect_survived(const char* title, MakeScene make, MakeScene at_rest) {
   const auto seconds = [](double h) { return h < 1e-3 ? 0.02 : h < 1e-2 ? 0.2 : 1; };
   for (const auto& [h, k, rest, o] : run_table(title, make, at_rest, seconds, 60)) {
@@ -43,7 +44,7 @@ double distance(const VecX& x, int a, int b) {
   return (x.segment<3>(3 * a) - x.segment<3>(3 * b)).norm();
 }
 
-// Where a thread has no length its direction is zero, not 0/0; its neighbours pull it open.
+// A thread of length zero gets the direction zero, not 0/0. Its neighbours pull it open.
 TEST(BadStart, CollapsedThreadsHaveFiniteForcesAndRegainTheirLength) {
   for (const MakeScene make : {coincident, collapsed}) {
     const TestScene scene = make(1e3);
@@ -54,7 +55,7 @@ TEST(BadStart, CollapsedThreadsHaveFiniteForcesAndRegainTheirLength) {
       EXPECT_GT(f.lpNorm<Eigen::Infinity>(), 1);  // N
     }
     const State end = watch(scene, 1.0 / 60, 60).end;
-    EXPECT_LT(lowest(end.x), -0.5);  // m: it has fallen like the rest
+    EXPECT_LT(lowest(end.x), -0.5);  // m: the cloth has fallen
     for (const auto& [a, b] : {std::pair(vertex(6, 6), vertex(7, 6)),
                                {vertex(3, 3), vertex(4, 3)},
                                {vertex(8, 8), vertex(9, 8)},

@@ -1,5 +1,5 @@
-// Bending of every stiffness, from none to 100 N·m, a board, from starts that no step should break; and
-// folds beyond a full one.
+// Bending of every stiffness, from 0 to 100 N·m (a board), from starts that must break no step. And
+// folds beyond the full fold, θ = π.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -38,13 +38,14 @@ const std::vector<Start> starts = {{"dropped", dropped},     {"squeezed", squeez
                                    {"tangled", tangled},     {"coincident", coincident},
                                    {"collapsed", collapsed}, {"shot", shot}};
 
-// A cloth that is squeezed or shot passes through itself in its first steps and winds its hinges up.
-// Where threads are stronger than folds they pull it flat again; a board of soft threads stays as it is.
+// A squeezed or shot cloth passes through itself in its first steps and winds up its hinges.
+// If the threads are much stiffer than the folds, they pull the cloth flat again. A board of
+// soft threads stays wound up.
 bool unwinds(const Start& start, double k, double k_bend) {
   return (start.make != squeezed && start.make != shot) || k_bend <= 1e-4 * k;
 }
 
-// 60 steps: at h = 0.1 s that is 6 s, in which long steps take all motion out.
+// 60 steps. At h = 0.1 s these are 6 s, and such long steps damp all motion in that time.
 void expect_survived(const Start& start, double h, double k, double k_bend) {
   const TestScene scene = bending(start.make(k), k_bend);
   Method method;
@@ -63,11 +64,11 @@ void expect_survived(const Start& start, double h, double k, double k_bend) {
   EXPECT_EQ(o.indefinite, 0);
   EXPECT_EQ(system.counts.capped, 0);
   if (!unwinds(start, k, k_bend) || h < 0.01) return;
-  EXPECT_LT(o.last, h < 0.1 ? 1.5 : 1.3);  // at rest 1.14; 1.29 and 1.21 measured
-  EXPECT_LT(speed, h < 0.1 ? 6 : 1);       // m/s, 3.8 and 0.41 measured
+  EXPECT_LT(o.last, h < 0.1 ? 1.5 : 1.3);  // at rest 1.14; measured 1.29 and 1.21
+  EXPECT_LT(speed, h < 0.1 ? 6 : 1);       // m/s; measured 3.8 and 0.41
 }
 
-// A random tangle of a stiff cloth is wound up from the start, so tangles are tried without bending.
+// A random tangle starts with its hinges wound up, so tangles run only without bending.
 TEST(Bending, OfEveryStiffnessSurvivesTheWorstStarts) {
   std::printf("%-11s %8s %6s %6s  %10s %9s %9s %9s %6s\n", "start", "h/s", "k", "k bend",
               "iterations", "gain/J", "last", "m/s", "turns");
@@ -82,8 +83,9 @@ TEST(Bending, OfEveryStiffnessSurvivesTheWorstStarts) {
         }
 }
 
-// A strip of 3 × 12 cells whose two long sides are held. Those of its upper half are carried round the
-// middle, into the lower half, through it and on; what is between them is free.
+// A strip of 3 × 12 cells whose two long sides are held. The pins of the upper half move on
+// circles about the middle of the strip: into the lower half, through it, and on. The vertices
+// between the sides are free.
 class CarriedFold {
  public:
   explicit CarriedFold(BendModel bend_model) {
@@ -107,7 +109,8 @@ class CarriedFold {
     return joule;
   }
 
-  // Were the fold sharp: three edges with its angle; Bridson's c is 1/2 where flaps are half squares.
+  // The energy of a sharp fold: three edges bend by the angle phi. Bridson's c is 1/2 if
+  // the flaps are half squares.
   double sharp_energy(double phi) const {
     if (scene.cloth.term<DihedralBend>()) return 3 * k / 2 * phi * phi;
     return 3 * 2 * k * std::pow(std::sin(phi / 4), 2);
@@ -126,8 +129,8 @@ class CarriedFold {
   std::optional<step05::System> system;
 };
 
-// To 5 radians, at 1 rad/s: the energy grows with every step, as it cannot where the angle jumps from π to
-// −π. The free vertices round the fold off, which takes up to 16 % of it.
+// The fold moves to 5 rad, at 1 rad/s. The energy grows in every step; it would fall if the angle
+// jumped from π to −π. The free vertices round the fold off and so lower its energy by up to 16 %.
 TEST(Bending, AFoldThatIsCarriedBeyondAFullOneStoresMoreAndMore) {
   for (const BendModel model : {BendModel::dihedral, BendModel::bridson})
     for (const double direction : {1.0, -1.0}) {
@@ -136,7 +139,7 @@ TEST(Bending, AFoldThatIsCarriedBeyondAFullOneStoresMoreAndMore) {
       for (int step = 0; step < 500; ++step) {
         fold.carry(direction * 0.01 * step, direction * 0.01, 0.01);
         const double phi = 0.01 * (step + 1), E = fold.bend_energy();
-        if (phi > 0.5) {  // it has begun with a jerk
+        if (phi > 0.5) {  // the motion starts with a jerk
           EXPECT_GT(E, before) << phi;
           EXPECT_LT(E, fold.sharp_energy(phi)) << phi;
           EXPECT_GT(E, 0.8 * fold.sharp_energy(phi)) << phi;

@@ -1,6 +1,6 @@
-// Conjugate gradients where the matrix is at its worst: clothes that no step should break, long steps,
-// stiff threads. What a direct solver survives they survive at a tolerance of a tenth, because they
-// measure what is left by the kinetic energy of Δv.
+// Conjugate gradients on the hardest matrices: starts that must break no step, long steps, stiff
+// threads. A tolerance of a tenth is enough wherever a direct solver survives, because the stop
+// test measures the residual by the kinetic energy of Δv.
 #include <gtest/gtest.h>
 
 #include "step04_cg/time_step.h"
@@ -50,7 +50,7 @@ TEST(LooseConjugateGradients, SurviveTheWorstStartsWithMultigrid) {
   expect_survived("multigrid");
 }
 
-// The loop of the textbooks: block-Jacobi, until |r| ≤ tolerance |b|.
+// The textbook loop: block Jacobi, until |r| ≤ tolerance |b|.
 void solve_to_relative_residual(const Cloth& cloth, step04::System& system) {
   VecX &dv = system.dv, &r = system.r, &c = system.c, &q = system.q, &s = system.s;
   dv.setZero(), c.setZero();
@@ -83,8 +83,8 @@ void textbook_step(const Cloth& cloth, double h, State& state, step04::System& s
   state.x += h * state.v;
 }
 
-// A residual of 1e-4 of b is no small error where b is dominated by stiff directions: the velocity left
-// over in soft ones may be (h ω)² times as large.
+// A residual of 1e-4 |b| is no small error if stiff directions dominate b: the error that is left
+// in the velocity of soft directions may be (h ω)² times as large.
 TEST(LooseConjugateGradients, ExplodeWhereTheyStopByTheRelativeResidual) {
   for (const MakeScene make : {collapsed, shot}) {
     const TestScene scene = make(1e8);

@@ -1,4 +1,4 @@
-// The default settings, from the horizontal, at every time step and stiffness.
+// The dropped cloth with the default settings, at every time step and stiffness.
 #include "support/table.h"
 #include "ways/simulator.h"
 
@@ -15,8 +15,8 @@ TEST(Drop, TheStaticStretchIsThatOfAnEquilibrium) {
   }
 }
 
-// The bounds: 0.1 J, of the 0.98 J that the cloth falls; and a thread that is 5 % longer than the
-// longest at rest. Measured: it gains nothing, and is stretched by 3.0 and 2.3 %.
+// The bounds: an energy gain of 0.1 J, where the fall releases 0.98 J; and a thread that is 5 %
+// longer than the longest at rest. Measured: no gain, and threads stretched by 3.0 and 2.3 %.
 TEST(Drop, AtAFrameAStepTheEnergyAndTheStretchStaySmall) {
   for (double k : {1e3, 1e4}) {
     const Outcome o = watch(dropped(k), 1.0 / 60, 60);
@@ -27,9 +27,9 @@ TEST(Drop, AtAFrameAStepTheEnergyAndTheStretchStaySmall) {
   }
 }
 
-// A softer cloth is stretched more by its own swing, however exactly it is computed: at the bottom a
-// pendulum that fell from the horizontal pulls with three times its weight. Measured: strains of 0.112
-// here, 0.147 at h = 1e-4, of 0.051 at rest.
+// The swing itself stretches a softer cloth more, in an exact computation, too: a pendulum that
+// fell from the horizontal pulls at the bottom with three times its weight. Measured strains: 0.112
+// here, 0.147 at h = 1e-4 s, 0.051 at rest.
 TEST(Drop, AtTwoFramesAStepASoftClothIsStretchedAsAPendulumIsAndGainsNoEnergy) {
   const Outcome o = watch(dropped(3e2), 1.0 / 30, 30);
   EXPECT_TRUE(o.finite);
@@ -38,7 +38,8 @@ TEST(Drop, AtTwoFramesAStepASoftClothIsStretchedAsAPendulumIsAndGainsNoEnergy) {
   EXPECT_EQ(o.indefinite, 0);
 }
 
-// Three strains at rest is the physics: where the step is short, the peak is that, of any stiffness.
+// The physics gives about three times the strain at rest. With short steps the largest strain is
+// near that, at any stiffness.
 TEST(Drop, AtShortStepsTheLargestStrainIsThatOfAPendulum) {
   for (double k : {3e2, 1e3, 1e4}) {
     const double at_rest = static_stretch(dropped(k)) - 1;
@@ -46,8 +47,8 @@ TEST(Drop, AtShortStepsTheLargestStrainIsThatOfAPendulum) {
   }
 }
 
-// At 1e-4 s for 0.1 s only, or the table would take a minute; the softest cloth with a bound, for the
-// whole second, is the next test.
+// The runs at h = 1e-4 s last only 0.1 s, or the table would take a minute. The next test runs the
+// softest cloth that has a bound for the whole second.
 TEST(Drop, NoTimeStepAndNoStiffnessBreaksIt) {
   const auto seconds = [](double h) { return h < 1e-3 ? 0.1 : 1; };
   for (const auto& [h, k, rest, o] : run_table("dropped", dropped, dropped, seconds, 30)) {

@@ -1,4 +1,4 @@
-// The matrices that were not chosen, and how they fail.
+// The alternatives to the default matrix, and how they fail.
 #include <gtest/gtest.h>
 
 #include "step03_implicit/time_step.h"
@@ -7,8 +7,8 @@
 
 namespace extremes::jacobian_test {
 
-// Not in the first steps: only when the cloth folds, and is compressed and sheared. The default loses
-// energy there; the first indefinite matrix is that of step 30.
+// The first steps do no harm. The matrix becomes indefinite when the cloth folds and is compressed
+// and sheared, first in step 30. The default matrix loses energy there.
 TEST(PrintedMatrix, ExplodesAtAnOrdinaryFrameStepAndSaysSo) {
   const TestScene scene = dropped(1e3);
   const Outcome bw98 = watch(scene, 1.0 / 60, 40, {Jacobian::bw98});
@@ -26,9 +26,10 @@ double height(const State& state) {
   return y;
 }
 
-// A mode that grows by itself, at a rate σ, is multiplied by 1/|1 − hσ| in a step of the printed
-// matrix: less than 1 where hσ > 2, and the wrinkle dies. The picture looks healthy; the count does
-// not. Measured: 0.27 and 0.32 m against 1e-22 m.
+// A step with the printed matrix multiplies a mode that grows at a rate σ by 1/|1 − hσ|. If
+// hσ > 2, this factor is less than 1 and the wrinkle dies. The picture looks healthy, but the
+// count of indefinite matrices does not. Measured heights: 0.27 and 0.32 m with the definite
+// matrix, 1e-22 m with the printed one.
 TEST(PrintedMatrix, FreezesAStripThatShouldBuckle) {
   const TestScene scene = pushed_strip(1e4);
   for (double h : {1e-2, 1.0 / 60}) {
@@ -43,15 +44,16 @@ TEST(PrintedMatrix, FreezesAStripThatShouldBuckle) {
   }
 }
 
-// Frozen only because the step is long beside the buckling: Newton's method finds the way out.
+// The strip freezes only because the step is long compared with the time of buckling. With more
+// iterations of Newton's method it buckles.
 TEST(PrintedMatrix, LetsTheStripBuckleIfNewtonsMethodGoesOn) {
   const Outcome o = watch(pushed_strip(1e4), 1e-2, 100, {Jacobian::bw98, 50});
   EXPECT_GT(height(o.end), 0.1);
   EXPECT_LT(o.gain, 0);
 }
 
-// The other remedy of the literature: of each element's −K, 9 × 9 and complete, the negative
-// eigenvalues are set to zero.
+// The other remedy of the literature: take the complete 9 × 9 matrix −K of each element and set its
+// negative eigenvalues to zero.
 void clamped_matrix(const Cloth& cloth, const State& state, step03::System& system) {
   system.K.set_zero();
   auto slot = system.slots.of(cloth.triangles).begin();
@@ -91,8 +93,8 @@ Outcome watch_clamped(const TestScene& scene, double h, int steps) {
   return watch(scene, h, steps, system, clamped_step);
 }
 
-// The clamping itself is sound: of a cloth that is nowhere compressed nothing is clamped, and the
-// dropped cloth does with it what it does with the default.
+// The clamping itself is correct: where a cloth is nowhere compressed, no eigenvalue is clamped,
+// and the dropped cloth stays within the bounds of the default matrix.
 TEST(ClampedEigenvalues, AreAsGoodAsTheDefaultOnADroppedCloth) {
   const TestScene scene = dropped(1e3);
   State wide = scene.start;
@@ -101,7 +103,7 @@ TEST(ClampedEigenvalues, AreAsGoodAsTheDefaultOnADroppedCloth) {
   clamped_matrix(scene.cloth, wide, clamped);
   step03::forces(scene.cloth, wide, bw98);
   for (size_t s = 0; s < bw98.K.upper.size(); ++s)
-    EXPECT_LT((clamped.K.upper[s] - bw98.K.upper[s]).norm(), 1e-9);  // N/m, of 1e3
+    EXPECT_LT((clamped.K.upper[s] - bw98.K.upper[s]).norm(), 1e-9);  // N/m, where k is 1e3 N/m
 
   const Outcome o = watch_clamped(scene, 1.0 / 60, 60);
   EXPECT_LT(o.gain, 0);
@@ -109,9 +111,9 @@ TEST(ClampedEigenvalues, AreAsGoodAsTheDefaultOnADroppedCloth) {
   EXPECT_EQ(o.indefinite, 0);
 }
 
-// A definite matrix is not enough: it may be next to singular where the force is large, and the cloth
-// is thrown farther in every step, though the matrix is definite. Measured: in ten steps beyond 1e70
-// times its length, when of the sum only rounding is left.
+// A definite matrix is not enough: it may be almost singular where the force is large. Then every
+// step throws the cloth farther, although the matrix is definite. Measured: after ten steps the
+// cloth is beyond 1e70 times its length, where only rounding is left.
 TEST(ClampedEigenvalues, ThrowATangleToInfinityWhereTheDefaultUntanglesIt) {
   for (double h : {1e-2, 1.0 / 60, 0.1}) {
     const Outcome three = watch_clamped(tangled(1e3), h, 3),

@@ -1,12 +1,12 @@
-// Newton's method to its end, or 50 iterations: from these starts, at these steps, the total energy,
-// that of gravity included, falls in each single step, to rounding.
+// Newton's method until it converges, or for 50 iterations. From these starts and at these steps
+// the total energy, with gravity, falls in every single step, up to rounding.
 #include <gtest/gtest.h>
 
 #include "support/outcome.h"
 
 namespace extremes::newton_test {
 
-// Measured: at most 6e-13 of the energies there are.
+// Measured: a rise of at most 6e-13 of the sum of the energies.
 void expect_no_rise(MakeScene make) {
   for (double h : {1e-3, 1.0 / 60, 0.1, 10.0})
     for (double k : {1.0, 1e3, 1e8}) {
@@ -41,7 +41,7 @@ TEST(NewtonToTheEnd, AVertexAtAKilometrePerSecondNeverGainsEnergy) {
   expect_no_rise(shot);
 }
 
-// One iteration, taken whole, does gain energy where the step is long. Measured: 6e2 J.
+// One full iteration, without a line search, gains energy if the step is long. Measured: 6e2 J.
 TEST(NewtonToTheEnd, RemovesTheEnergyThatASingleIterationGains) {
   EXPECT_GT(watch(dropped(1e3), 0.1, 30).gain, 10);
   EXPECT_LT(watch(dropped(1e3), 0.1, 30, {Jacobian::definite, 50}).gain, 0);

@@ -42,7 +42,7 @@ double height(const VecX& x) {
   return y;
 }
 
-// Comparisons that a NaN passes, so that it is kept.
+// The negated comparisons record a NaN, too.
 void look(const TestScene& scene, const State& state, double E_start, double scale, Cell& cell) {
   const double gain = (energies(scene.cloth, state).total() - E_start) / scale;
   cell.last = max_stretch(scene.mesh, state.x);
@@ -98,14 +98,14 @@ Cell watch_cell(const MapWay& map, MapScene kind, double h, double k, const Watc
   TestScene scene = scene_of(map, kind, k, watch);
   Configuration configuration = map.configuration;
   if (kind == MapScene::strip && configuration.method.preconditioner == "multigrid")
-    configuration.method.preconditioner = "ic";  // 3 cells cannot be halved
+    configuration.method.preconditioner = "ic";  // multigrid cannot halve 3 cells
   const auto simulator = make_simulator(configuration, scene.cloth);
   State state = scene.start;
   const double E_start = energies(scene.cloth, state).total();
   const double scale = kind == MapScene::strip ? E_start : scene.cloth.mass.sum() / 3 * g * size;
 
   const int steps = steps_of(map, kind, h, watch), every = is_explicit(map) ? 20 : 1;
-  const int after = 60;  // steps for which a strip is watched when it has buckled
+  const int after = 60;  // steps for which a buckled strip is still watched
   Cell cell;
   for (int left = steps; left > 0 && cell.stretch <= exploded_stretch; --left) {
     simulator->step(h, state);

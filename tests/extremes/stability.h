@@ -1,4 +1,4 @@
-// What becomes of a cloth at a time step h and a stiffness k, in one word: the cells of stability_map.
+// The verdict on a cloth at a time step h and a stiffness k: one cell of stability_map.
 #pragma once
 #include <array>
 #include <string>
@@ -8,13 +8,14 @@
 
 namespace extremes {
 
-// In this order of gravity, where several hold: of a cloth that exploded nothing else is of interest, and
-// what a solver left unsolved may gain energy, or be stiff, for that reason alone.
+// In order of severity: if several verdicts hold, the first one counts. Nothing else matters for a
+// cloth that exploded. A system that the solver left unsolved can itself cause a gain of energy, so
+// `capped` comes before `gains`.
 enum class Verdict {
-  exploded,  // not finite, or a thread over 1000 times its length, or over 20 times in the end
-  frozen,    // a clamped strip that must buckle and did not
-  capped,    // conjugate gradients reached their most iterations, in any step
-  gains,     // more energy than at the start, by over 1e-3 of the scale below
+  exploded,  // not finite, or a stretch over 1000 at any time or over 20 at the end
+  frozen,    // the compressed strip did not buckle
+  capped,    // conjugate gradients reached the iteration limit in some step
+  gains,     // the energy exceeds that of the start by over 1e-3 of the scale below
   stable
 };
 inline constexpr std::array all_verdicts = {Verdict::exploded, Verdict::frozen, Verdict::capped,
@@ -29,27 +30,27 @@ inline char letter(Verdict verdict) {
 
 struct MapWay {
   const char* name;             // in files and on the terminal
-  const char *title, *finding;  // in pictures: what it is, and what is to be seen
+  const char *title, *finding;  // in pictures: the name of the map, and its result
   Configuration configuration;
 };
-// What the maps compare: every step, and step 3 with the printed matrix, with the definite one, and with
-// many Newton iterations instead of one.
+// One map for each step. Step 3 has three: with the printed matrix, with the definite matrix, and
+// with up to 20 Newton iterations. Step 4 has two: with block Jacobi and with multigrid.
 const std::vector<MapWay>& map_ways();
 
-// Two scenes. The drop: a square metre of cells × cells, k_shear = k, flat, falls, held by two corners;
-// energies are measured by m g L. The strip: a metre of 3 × 12 cells whose ends are held at 70 % of its
-// length; without gravity, and its energies are measured by that at the start. It has buckled when a
-// vertex has come 1 cm out of its plane: in zigzag, it need come no farther than 6 cm. Step 2 is damped by
-// kd = k · 1e-4 s, step 5 has hinges of 0.01 N·m; all else is equal.
+// Two scenes. The drop: a flat square metre of cells × cells with k_shear = k falls, held by two
+// corners. Its scale of energy is m g L. The strip: 1 m long, 3 × 12 cells, without gravity, its
+// ends held at 70 % of its length. Its scale is its energy at the start. It has buckled when a
+// vertex is 1 cm out of its plane; a strip that buckles in a zigzag need not go beyond 6 cm. Step 2
+// is damped by kd = k · 1e-4 s, step 5 has hinges of 0.01 N·m. All else is equal.
 enum class MapScene { drop, strip };
 inline const char* name(MapScene scene) {
   return scene == MapScene::drop ? "drop" : "strip";
 }
 inline constexpr double damping_time = 1e-4, bend_stiffness = 0.01;  // s, N·m
 
-// How long a cloth is watched: `seconds`, but at least `fewest` steps and at most `most`, so that short
-// steps see less of its fall. A hundred times as many steps of a drop are affordable if they are explicit,
-// and of a strip, which is left when it has buckled, all are.
+// How long a cloth is watched: `seconds`, but at least `fewest` and at most `most` steps, so that
+// runs with short steps end earlier. An explicit drop may take 100 times `most` steps, because its
+// steps are cheap. So may every strip, because its run ends soon after it has buckled.
 struct Watch {
   int cells = 8;
   double seconds = 1;
@@ -58,15 +59,15 @@ struct Watch {
 
 struct Cell {
   Verdict verdict = Verdict::stable;
-  double gain = 0;               // the largest E − E_0, of the scale
-  double stretch = 0, last = 0;  // the largest of all steps, and after the last
-  double height = 0;             // m, the largest; of a strip
+  double gain = 0;               // the largest E − E_0, divided by the scale
+  double stretch = 0, last = 0;  // the largest in all steps, and after the last step
+  double height = 0;             // m, the largest; for the strip
   int steps = 0;
   long indefinite = 0, capped = 0;
 };
 Cell watch_cell(const MapWay&, MapScene, double h, double k, const Watch&);
 
-// The h at which h ω_max = 2 in the drop as it begins, its damping and its hinges included: the longest
+// The h at which h ω_max = 2 at the start of the drop, with its damping and its hinges: the longest
 // step of symplectic Euler.
 double explicit_limit(const MapWay&, double k, const Watch&);
 

@@ -1,7 +1,7 @@
-// stability_map [--quick] [--threads N] [--out DIRECTORY]: what becomes of a cloth at every time step h and
-// every stiffness k, step by step of the lesson. Prints a map per way, one letter per cell, and writes
-// stability_map.csv, .gp and, where gnuplot is installed, .png. A study that was broken off goes on where
-// it was: what is in the CSV file is not computed again.
+// stability_map [--quick] [--threads N] [--out DIRECTORY]: the verdict on a cloth at every time
+// step h and every stiffness k, for every step of the lesson. Prints one map per configuration, one
+// letter per cell, and writes stability_map.csv, .gp and, if gnuplot is installed, .png. An
+// interrupted study continues: cells that are in the CSV file are not computed again.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -57,7 +57,7 @@ std::vector<double> all_k(const Study& study) {
   return powers(0, 8, study.decades_k());
 }
 
-// One cell that is to be computed, and its row in the CSV file; `key` is how the row begins.
+// One cell to compute, and its row in the CSV file. The row starts with `key`.
 struct Job {
   const MapWay* map;
   MapScene scene;
@@ -102,7 +102,7 @@ std::string verdict_of(const std::string& row) {
   return row.substr(begin, row.find(',', begin) - begin);
 }
 
-// What an earlier run of the same study has left; a last line that was cut short does not count.
+// The rows of an earlier run of the same study. An incomplete last line does not count.
 Rows read_rows(const Study& study) {
   Rows rows;
   std::ifstream file(study.out / (study.file() + ".csv"));
@@ -124,7 +124,7 @@ void write_rows(const Study& study, const std::vector<Job>& jobs, const Rows& ro
                              ": cannot be written");
 }
 
-// All cells that are not known yet, by several threads. A cell is what it is, whoever computes it.
+// Computes all missing cells in several threads. A cell does not depend on its thread.
 void compute(const Study& study, const std::vector<Job>& jobs, Rows& rows) {
   std::vector<const Job*> open;
   for (const Job& job : jobs)
@@ -195,7 +195,7 @@ void write_limits(const Study& study) {
       file << map.name << ',' << k << ',' << explicit_limit(map, k, study.watch()) << '\n';
 }
 
-// One map: its frame, counted in thirds of the picture, and all that is drawn in it.
+// The commands for one map, in its row and column of the picture, which has three of each.
 std::string panel(const Study& study, const MapWay& map, int row, int column) {
   const double left = 0.062 + 0.318 * column, top = 0.945 - 0.325 * row;
   std::ostringstream gp;
@@ -218,7 +218,7 @@ std::string panel(const Study& study, const MapWay& map, int row, int column) {
   return gp.str();
 }
 
-// In the place at the top right.
+// The legend, at the top right.
 std::string legend(const Study& study) {
   struct Entry {
     const char *colour, *text;

@@ -1,5 +1,5 @@
-// A coarse stability map of every way, cell by cell: a step that has become less stable, or more, shows as
-// a map that differs. And what theory says of such maps.
+// A coarse stability map of every configuration, cell by cell: if a step becomes more or less
+// stable, its map changes. And the theory of such maps.
 #include "extremes/stability.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ const MapWay& configuration(const std::string& searched) {
   throw std::invalid_argument(searched + ": no such way");
 }
 
-// Lines from k = 1e8 N/m down to 1 and one for the strip; columns from h = 1e-4 s to 0.2 s.
+// Rows: k from 1e8 N/m down to 1 N/m, then the strip. Columns: h from 1e-4 s to 0.2 s.
 std::string map_of(const char* name) {
   std::string text = "\n";
   const auto line = [&](MapScene scene, double k) {
@@ -60,7 +60,8 @@ XXXXXX
 )");
 }
 
-// How far a cloth is thrown by an indefinite matrix is chance: 1000-fold or not.
+// How far an indefinite matrix throws a cloth is chance: 1000-fold (X) or less (+).
+// So both count as the same.
 TEST(StabilityMap, OfThePrintedMatrix) {
   std::string map = map_of("step03_bw98");
   std::replace(map.begin(), map.end(), 'X', '+');
@@ -96,7 +97,7 @@ TEST(StabilityMap, OfManyNewtonIterations) {
 )");
 }
 
-// Solved well enough, the map is that of a factorisation.
+// If the systems are solved well enough, the map is that of a direct solver.
 TEST(StabilityMap, OfConjugateGradients) {
   for (const char* name : {"step04_block", "step04_multigrid"})
     EXPECT_EQ(map_of(name), map_of("step03")) << name;
@@ -113,8 +114,9 @@ TEST(StabilityMap, OfBending) {
 )");
 }
 
-// The line in the picture: h ω_max = 2, with the damping of step 2. On its one side energy wobbles by less
-// than a tenth of m g L, on the other it grows without end, or until damping throws a torn cloth about.
+// The line in the picture: h ω_max = 2, with the damping of step 2. Below it the energy
+// oscillates by less than a tenth of m g L. Above it the energy grows without bound, or until
+// damping throws a torn cloth about.
 TEST(ExplicitLimit, PartsWhatGainsEnergyFromWhatDoesNot) {
   for (const char* name : {"step01", "step02"})
     for (const double k : {1e1, 1e3, 1e5, 1e7}) {
@@ -127,8 +129,8 @@ TEST(ExplicitLimit, PartsWhatGainsEnergyFromWhatDoesNot) {
     }
 }
 
-// 2/ω_max goes with k^−1/2; damping shortens it, and where it rules, with kd = k τ, the limit is that of
-// h kd: it goes with 1/k.
+// 2/ω_max is proportional to k^−1/2. Damping makes the limit shorter. Where damping dominates, with
+// kd = k τ, the limit is one of h kd and so proportional to 1/k.
 TEST(ExplicitLimit, GoesWithTheRootOfKAndWithDampingWithK) {
   const auto limit = [&](const char* name, double k) {
     return explicit_limit(configuration(name), k, coarse);
@@ -142,14 +144,15 @@ TEST(Frozen, IsThePrintedMatrixWhereTheDefiniteOneBuckles) {
   for (const double h : {1e-2, 1e-1, 1.0}) {
     const Cell bw98 = watch_cell(configuration("step03_bw98"), MapScene::strip, h, 1e4, coarse);
     EXPECT_EQ(bw98.verdict, Verdict::frozen) << "h = " << h;
-    EXPECT_EQ(bw98.indefinite, bw98.steps) << "and says so in every step; h = " << h;
+    EXPECT_EQ(bw98.indefinite, bw98.steps) << "every matrix must count as indefinite; h = " << h;
     const Cell definite = watch_cell(configuration("step03"), MapScene::strip, h, 1e4, coarse);
     EXPECT_GT(definite.height, 0.1) << "h = " << h;
     EXPECT_EQ(definite.indefinite, 0);
   }
 }
 
-// The conditioning of A goes with h² k, and the iterations that blocks leave to do with its root.
+// The condition number of A grows with h² k. With block Jacobi the number of iterations grows
+// with the square root of h² k.
 TEST(Capped, AreBlocksWhereAMultigridIsNot) {
   const Watch watch = {.cells = 8, .fewest = 40, .most = 40};
   const Cell block = watch_cell(configuration("step04_block"), MapScene::drop, 0.3, 1e8, watch),

@@ -40,7 +40,7 @@ std::optional<std::string> value_of(const std::string& key, const PngText& text)
   return std::nullopt;
 }
 
-// First prints how the two pictures were made, if that differs: it explains most differences.
+// If the two pictures were made in different ways, prints how: this explains most differences.
 void print_differing_keys(const PngText& a, const PngText& b) {
   for (const auto& [key, value] : a) {
     const std::string other = value_of(key, b).value_or("(absent)");

@@ -94,7 +94,7 @@ TEST(Png, RefusesWhatIsNotARegularFile) {
 TEST(Png, FullDiskIsSaidAndLeavesTheOldPicture) {
   if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const Directory directory;
-  for (const int side : {5, 300}) {  // fails when flushed, fails in the middle
+  for (const int side : {5, 300}) {  // the first fails when flushed, the second before
     write_png(directory.path / "a.png", some_image(7, 7));
     fs::create_symlink("/dev/full", directory.path / "a.png.part");
     expect_mentions(failure(directory.path / "a.png", some_image(side, side)),

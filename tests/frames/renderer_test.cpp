@@ -63,9 +63,9 @@ TEST(Renderer, TopOfTheClothIsAtTheTopOfThePicture) {
   TestScene without = hung_cloth();
   without.surface.pins.clear();
   const Difference pins = compare(drawn(scene), drawn(without));
-  EXPECT_GT(pins.above8, 10) << "the pins are seen";
-  EXPECT_LT(pins.bottom, 60) << "they are at the upper corners";
-  EXPECT_GT(pins.right - pins.left, 80) << "both of them";
+  EXPECT_GT(pins.above8, 10) << "the pins must be visible";
+  EXPECT_LT(pins.bottom, 60) << "the pins must be at the upper corners";
+  EXPECT_GT(pins.right - pins.left, 80) << "both pins must be visible";
 }
 
 TEST(Renderer, PinIsHiddenBehindTheCloth) {
@@ -81,7 +81,7 @@ TEST(Renderer, PinIsHiddenBehindTheCloth) {
   EXPECT_EQ(compare(drawn(scene), drawn(without)).above0, 0);
   scene.stage.eye.z() *= -1;
   without.stage.eye.z() *= -1;
-  EXPECT_GT(compare(drawn(scene), drawn(without)).above8, 10) << "it is visible from its own side";
+  EXPECT_GT(compare(drawn(scene), drawn(without)).above8, 10) << "the pin must be visible";
 }
 
 TEST(Renderer, CastsASoftShadowOnTheFloor) {
@@ -93,7 +93,7 @@ TEST(Renderer, CastsASoftShadowOnTheFloor) {
   for (int x = 1; x < 320; ++x)
     for (int y = 145; y < 180; ++y) {
       const int here = pixel(with, x, y)[1], free = pixel(without, x, y)[1];
-      EXPECT_LE(here, free + 1) << "nothing is brighter for a shadow: " << x << ", " << y;
+      EXPECT_LE(here, free + 1) << "a shadow must not brighten a pixel: " << x << ", " << y;
       darkest = std::min(darkest, here);
       steepest = std::max(steepest, std::abs(here - pixel(with, x - 1, y)[1]));
     }

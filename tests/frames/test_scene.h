@@ -1,4 +1,4 @@
-// A cloth hung by two corners, given by a formula: what the frame tests draw.
+// The cloth that the frame tests draw: hung by two corners, given by a formula.
 #pragma once
 #include <cmath>
 

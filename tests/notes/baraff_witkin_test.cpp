@@ -1,8 +1,8 @@
-// The numbers and claims of the Baraff–Witkin note (notes 000 in the bibliography), worked again. Each
-// test says what the note prints and what is right.
+// The numbers and claims of the Baraff–Witkin note (notes 000 in the bibliography), computed again.
+// Each test says what the note prints and what is right.
 //
-// The note takes α = 1 as the weight of its conditions; ours is √a. So on its unit triangle, a = 1/2,
-// its C is ours / √½ and its forces are ours with twice the k.
+// The note takes α = 1 as the weight of its conditions; ours is √a. So on its unit triangle,
+// a = 1/2, its C is ours / √½ and its forces are ours with twice the k.
 #include <gtest/gtest.h>
 
 #include "scene/make_cloth.h"
@@ -64,13 +64,15 @@ void expect_close(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected
 
 // Worked numbers ----------------------------------------------------------------------------------
 
-// The note's first program: F = [[1, 0], [1, 2]]. Right, because Dm = I hides the order of the factors.
+// The note's first program: F = [[1, 0], [1, 2]]. This is right, because Dm = I hides
+// the order of the factors.
 TEST(Notes000, FirstDeformationGradientIsRight) {
   const Rest now = {Vec2(0, 0), Vec2(1, 1), Vec2(0, 2)};
   expect_close(our_F(unit_rest, now), matrix(1, 0, 1, 2));
 }
 
-// The note multiplies Dm⁻¹ Ds. Right is Ds Dm⁻¹: only that gives the rotation for a rotated triangle.
+// The note multiplies Dm⁻¹ Ds. Right is Ds Dm⁻¹: only this product gives the
+// rotation of a rotated triangle.
 TEST(Notes000, DeformationGradientIsDsTimesInverseDmInThisOrder) {
   const Eigen::Matrix2d R = matrix(0, -1, 1, 0);  // 90°
   const Rest rest = {Vec2(0, 0), Vec2(2, 0), Vec2(1, 1)};
@@ -80,7 +82,7 @@ TEST(Notes000, DeformationGradientIsDsTimesInverseDmInThisOrder) {
   const Eigen::Matrix2d Dm = edges(rest[0], rest[1], rest[2]), Ds = edges(now[0], now[1], now[2]);
   const Eigen::Matrix2d printed = Dm.inverse() * Ds;
   expect_close(printed, matrix(-1, -1, 2, 1));
-  expect_close(printed.transpose() * printed, matrix(5, 3, 3, 2));  // and not I: a deformation
+  expect_close(printed.transpose() * printed, matrix(5, 3, 3, 2));  // not I: a deformation
 }
 
 // The note: the triangle at rest has w_u = (1, 0, 0), w_v = (0, 1, 0) and no force. Right.
@@ -93,7 +95,8 @@ TEST(Notes000, TriangleAtRestHasUnitThreadsAndNoForce) {
   expect_close(forces(one_triangle(triangle(unit_rest), 1, 1), stacked(p)), VecX::Zero(9));
 }
 
-// The note: no force when moved, none when rotated by 90°. Right (its reason is not, see below).
+// The note: no force when moved, none when rotated by 90°. Right, but not
+// for its reason (see below).
 TEST(Notes000, MovedOrRotatedTriangleHasNoForce) {
   const Positions moved = {Vec3(1, 1, 0), Vec3(2, 1, 0), Vec3(1, 2, 0)};
   const Positions rotated = {Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0)};
@@ -103,7 +106,8 @@ TEST(Notes000, MovedOrRotatedTriangleHasNoForce) {
   }
 }
 
-// The note: C_stretch = (1, 0). Right for α = 1; with α = √a it is (√½, 0), and the force (½, 0, 0).
+// The note: C_stretch = (1, 0). Right for α = 1. With α = √a it is (√½, 0),
+// and the force is (½, 0, 0).
 TEST(Notes000, StretchedTriangle) {
   const Positions p = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 0)};
   expect_close(conditions(unit_rest, p), Vec3(1, 0, 0));
@@ -115,8 +119,8 @@ TEST(Notes000, StretchedTriangle) {
   expect_close(forces(one_triangle(t, 1, 0), stacked(p)), 0.5 * of_the_note);
 }
 
-// The note: C_shear = 1. Right for α = 1. It calls this pure shear without change of area; the area falls
-// to 0.75 and both threads are 11.8 % too long.
+// The note: C_shear = 1. Right for α = 1. The note calls this a pure shear without change of area.
+// But the area falls to 0.75, and both threads are 11.8 % too long.
 TEST(Notes000, ShearedTriangleIsStretchedAndSmallerAsWell) {
   const Positions p = {Vec3(0, 0, 0), Vec3(1, 0.5, 0), Vec3(0.5, 1, 0)};
   const double longer = std::sqrt(1.25) - 1;
@@ -128,8 +132,9 @@ TEST(Notes000, ShearedTriangleIsStretchedAndSmallerAsWell) {
   expect_close(forces(one_triangle(triangle(unit_rest), 0, 2), stacked(p)), of_the_note);
 }
 
-// The note: moving p0 by b lowers its height by 0.2828, "the length of b". The value is right, and it is
-// m·b, the part of b along the unit vector m from p0 to the opposite edge; the length of b is 0.4.
+// The note: moving p0 by b lowers its height by 0.2828, "the length of b". The value is
+// right, but it is m·b, the part of b along the unit vector m from p0 to the opposite
+// edge. The length of b is 0.4.
 TEST(Notes000, HeightFallsByThePartOfTheMotionTowardsTheEdge) {
   const Vec2 p0(0, 0), p1(2, 0), p2(0, 2), b(0.4, 0);
   const Vec2 edge = (p2 - p1).normalized();
@@ -143,8 +148,8 @@ TEST(Notes000, HeightFallsByThePartOfTheMotionTowardsTheEdge) {
 
 // Claims ------------------------------------------------------------------------------------------
 
-// The note: Dm⁻¹ Ds. It is wrong for every rest triangle but right-angled ones with equal legs: it finds a
-// deformation, FᵀF ≠ I, where there is only a rotation.
+// The note: Dm⁻¹ Ds. This order is wrong for every rest triangle but right-angled ones with equal
+// legs: it finds a deformation, FᵀF ≠ I, where there is only a rotation.
 TEST(Notes000, WrongOrderTakesRotationsForDeformations) {
   const Rest rest = {Vec2(0.2, 0.1), Vec2(1.3, 0.4), Vec2(0.5, 2.0)};
   const Eigen::Matrix2d Dm = edges(rest[0], rest[1], rest[2]);
@@ -158,8 +163,8 @@ TEST(Notes000, WrongOrderTakesRotationsForDeformations) {
   }
 }
 
-// The note: the area is unchanged, so there is no deformation. Wrong: a simple shear keeps the area and
-// has C_shear = 0.5 and a thread 11.8 % too long. What has to be unchanged is FᵀF = I.
+// The note: the area is unchanged, so there is no deformation. Wrong: a simple shear keeps the area
+// and has C_shear = 0.5 and a thread 11.8 % too long. No deformation means FᵀF = I.
 TEST(Notes000, EqualAreaIsNotNoDeformation) {
   const Positions p = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 1, 0)};
   EXPECT_NEAR(area(p), 0.5, 1e-15);
@@ -167,8 +172,9 @@ TEST(Notes000, EqualAreaIsNotNoDeformation) {
   EXPECT_GT(forces(one_triangle(triangle(unit_rest), 1, 1), stacked(p)).norm(), 0.3);
 }
 
-// The note: α is "a constant", and the paper's is the area a. Neither is a material: a refinement, which
-// quarters a, multiplies the energy of α = 1 by 4 and that of α = a by ¼. Right is α = √a: unchanged.
+// The note: α is "a constant", and the paper's α is the area a. Neither describes a material: a
+// refinement quarters a, and so multiplies the energy of α = 1 by 4 and that of α = a by ¼. Only
+// α = √a is right: it leaves the energy unchanged.
 TEST(Notes000, OnlyTheRootOfTheAreaIsAMaterial) {
   const double strain = 0.05;
   for (const int n : {4, 8, 16, 32}) {
@@ -179,7 +185,7 @@ TEST(Notes000, OnlyTheRootOfTheAreaIsAMaterial) {
     VecX x = mesh.x;
     for (int i = 0; i < mesh.vertices(); ++i) x[3 * i] *= 1 + strain;
 
-    // Ours is E = Σ a/2 (…)²; another α changes the a of each triangle to α².
+    // Our energy is E = Σ a/2 (…)². Another α changes the a of each triangle to α².
     const double ours = potential_energy(cloth, x);
     const double a = 0.5 / (n * n);
     EXPECT_NEAR(ours, 1.25e-3, 1e-15) << "α = √a, " << n << " cells";

@@ -1,5 +1,5 @@
-// Counts what a piece of work allocates: C++ through operator new, Eigen through the check that it
-// makes before each of its own allocations. Include it first, in one file of a program.
+// Counts the allocations of a piece of work: those of C++ in operator new, those of Eigen in the
+// check that Eigen makes before each of them. Include it first, in one file of a program.
 #pragma once
 namespace {
 int allocations = 0;

@@ -1,5 +1,5 @@
-// Eigen's decompositions of dense matrices, compiled once for all tests: each costs seconds wherever it
-// is instantiated.
+// Eigen's decompositions of dense matrices, compiled once for all tests: every file that
+// instantiates one compiles for seconds longer.
 #pragma once
 #include "math/types.h"
 
@@ -13,7 +13,8 @@ struct Eigenpairs {
 Eigenpairs eigenpairs(const MatX&);
 VecX eigenvalues(const MatX&);
 
-// The eigenvectors of a symmetric matrix without those of zero: orthonormal, they span its range.
+// The eigenvectors of a symmetric matrix to eigenvalues other than zero: an
+// orthonormal basis of its range.
 MatX range(const MatX&);
 
 VecX solve(const MatX& A, const VecX& b);  // x of A x = b, for a symmetric A

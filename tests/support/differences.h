@@ -2,9 +2,9 @@
 //
 //   f'(x) = (f(x + h d) − f(x − h d)) / 2h + O(h²)
 //
-// That the error is small at one h proves little: a small wrong term hides in a generous tolerance.
-// Here the error has to fall by 100 for each ten times smaller h, until the rounding of f, divided
-// by h, covers it. A wrong term does not fall.
+// A small error at one h proves little: a generous tolerance hides a small wrong term. Here the
+// error must fall by 100 for each ten times smaller h, until the rounding of f, divided by h,
+// covers it. The error of a wrong term does not fall.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ inline DifferenceError difference_error(const Function& f, const Slope& slope, c
     behind[j] -= h;
     error.col(j) -= (f(ahead) - f(behind)) / (ahead[j] - behind[j]);
   }
-  // What f rounds to 16 digits: itself, and the x that it reads, seen through its slope.
+  // The size of the numbers that f rounds to 16 digits: its values, and x times its slope.
   const double size =
       y.cwiseAbs().maxCoeff() + exact.cwiseAbs().maxCoeff() * (x.cwiseAbs().maxCoeff() + h);
   DifferenceError result;
@@ -54,9 +54,9 @@ inline double order(const Function& f, const Slope& slope, const VecX& x, double
                     difference_error(f, slope, x, h / 10).value);
 }
 
-// True where the error of central differences falls with order 2 down to rounding. `length` is the
-// scale on which f changes, for instance |w| for w/|w|; the widest step is a hundredth of it. Not for x
-// at a minimum of f: there f, a square, rounds worse than its slope tells.
+// True if the error of central differences falls with order 2 down to rounding. `length` is the
+// scale on which f changes, for instance |w| for w/|w|; the widest step is a hundredth of it. Not
+// for an x at a minimum of f: there f is a square and rounds worse than its slope shows.
 inline testing::AssertionResult is_slope(const Function& f, const Slope& slope, const VecX& x,
                                          double length) {
   double h = length / 100;

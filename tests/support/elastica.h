@@ -1,10 +1,10 @@
-// The heavy elastica: a thread of length 1 that cannot stretch, clamped horizontally at one end, and
-// bent by its own weight. With θ, the angle below the horizontal at s from the clamp,
+// The heavy elastica: a thread of length 1 that cannot stretch, clamped horizontally at one end,
+// and bent by its own weight. With θ, the angle below the horizontal at s from the clamp,
 //
 //   θ'' = −Γ (1 − s) cos θ,   θ(0) = 0,   θ'(1) = 0,   Γ = ρ g L³/B
 //
-// Γ, the weight relative to the stiffness, is the only parameter. Seen from the free end, with t = 1 − s
-// and u = π/2 − θ, the angle to the vertical, it is an initial value problem:
+// Γ, the weight relative to the stiffness, is the only parameter. Seen from the free end, with
+// t = 1 − s and u = π/2 − θ, the angle to the vertical, this is an initial value problem:
 //
 //   u'' = Γ t sin u,   u(0) = ε,   u'(0) = 0,   where ε is such that u(1) = π/2
 #pragma once
@@ -20,7 +20,7 @@ struct Elastica {
   double droop() const { return H / W; }
 };
 
-// From the free end, ε off the vertical, to the clamp: Runge-Kutta, order 4.
+// Integrates from the free end, at the angle ε to the vertical, to the clamp: Runge-Kutta, order 4.
 inline Elastica shoot(double Gamma, double epsilon, int steps) {
   using Y = std::array<double, 4>;  // u, u', W, H
   const auto slope = [&](double t, const Y& y) -> Y {
@@ -42,8 +42,9 @@ inline Elastica shoot(double Gamma, double epsilon, int steps) {
   return {y[2], y[3], quarter - epsilon, y[0] - quarter};
 }
 
-// For a large Γ, ε is too small to guess, so the search is for its logarithm. Larger ε bring the clamp to
-// the horizontal too, with loops that no thread falls into by itself; the smallest is the real one.
+// For a large Γ, ε is too small to guess, so the search is for its logarithm. Several ε make the
+// clamp horizontal. The larger ones give shapes with loops, into which no thread falls by itself.
+// The smallest ε is the real one.
 inline Elastica elastica(double Gamma, int steps = 2000) {
   double high = -2 - std::sqrt(Gamma);  // too small: u grows by about exp(2/3 √Γ)
   while (shoot(Gamma, std::exp(high), steps).beyond < 0) high += 0.3;
@@ -55,7 +56,7 @@ inline Elastica elastica(double Gamma, int steps = 2000) {
   return shoot(Gamma, std::exp(low), steps);
 }
 
-// The Γ of the elastica that droops as much, by the secant method from a guess.
+// The Γ of the elastica with this droop, by the secant method from a guess.
 inline double gamma_of_droop(double droop, double guess) {
   const auto too_much = [&](double Gamma) { return elastica(Gamma, 500).droop() - droop; };
   double before = guess, Gamma = 1.1 * guess, error = too_much(before);

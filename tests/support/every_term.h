@@ -1,5 +1,5 @@
-// Every term of the lists (math/cloth.h) by itself: on one element of its family, in all poses of that
-// kind of element. A new term needs no line here; a new kind of element needs its poses.
+// Every term of the lists (math/cloth.h) by itself: on one element of its family, in all poses of
+// that kind of element. A new term needs no line here; a new kind of element needs its poses.
 #pragma once
 #include <functional>
 #include <string>
@@ -46,7 +46,7 @@ inline std::vector<PosedElement<Spring>> poses_of(std::type_identity<Spring>, Ra
   return posed;
 }
 
-// Folded up and down from the angle at rest.
+// Hinges folded to both sides of their angle at rest.
 inline std::vector<PosedElement<Hinge>> poses_of(std::type_identity<Hinge>, Random& random, int) {
   std::vector<PosedElement<Hinge>> posed;
   for (const FoldCase& fold : all_folds(random.seed()))
@@ -61,7 +61,7 @@ inline std::vector<PosedElement<QuadraticHinge>> poses_of(std::type_identity<Qua
                                                           Random& random, int) {
   std::vector<PosedElement<QuadraticHinge>> posed;
   for (const FoldCase& fold : all_folds(random.seed()))
-    if (fold.theta != 0)  // flat, it rests
+    if (fold.theta != 0)  // a flat hinge is at rest
       posed.push_back({fold.name, quadratic(fold.flat_hinge), fold.x, fold.length});
   return posed;
 }
@@ -109,7 +109,7 @@ std::vector<TermSample> samples_of(unsigned seed, int each) {
 struct ListedTerm {
   TermInfo info;
   std::string name;                                                         // bend_dihedral
-  std::function<std::vector<TermSample>(unsigned seed, int each)> samples;  // `each` to a pose
+  std::function<std::vector<TermSample>(unsigned seed, int each)> samples;  // `each` per pose
 };
 inline void PrintTo(const ListedTerm& term, std::ostream* out) {
   *out << term.name;

@@ -13,12 +13,12 @@ inline int vertex(int i, int j) {
   return j * (cells + 1) + i;
 }
 
-// From the horizontal.
+// Starts flat and horizontal.
 inline TestScene dropped(double k) {
   return sheet(cells, Held::by_two_corners, k, k, Gravity::on);
 }
 
-// Flat and at 1 % of its size, and so are the two corners 1 cm apart.
+// Starts flat, at 1 % of its size. So the two held corners are 1 cm apart.
 inline TestScene squeezed(double k) {
   TestScene scene = dropped(k);
   scene.start.x *= 0.01;
@@ -60,8 +60,8 @@ inline TestScene shot(double k) {
 
 using MakeScene = TestScene (*)(double k);
 
-// A metre of cloth, a quarter wide, whose two ends are held at 70 % of its length. It lies in its
-// plane but for a sine of a micrometre; no gravity.
+// A strip of cloth, 1 m long and a quarter wide, whose two ends are held at 70 % of its length. It
+// is flat except for a sine wave of one micrometre. No gravity.
 inline TestScene pushed_strip(double k) {
   const Mesh mesh = make_grid({0.25, 1}, {3, cells}, Diagonals::same);
   Model m = model(k, k, Gravity::off);

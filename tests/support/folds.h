@@ -10,8 +10,8 @@
 #include "support/family_forces.h"
 #include "support/poses.h"
 
-// A hinge in the plane: its edge lies along y and has the length 1, P0 is on the left. For each flap: its
-// height, and where the foot of the height lies on the edge: 0 at P1, 1 at P2.
+// A hinge in the plane: its edge lies along y and has the length 1, P0 is on the left. Each flap
+// has a height, and the foot of the height lies on the edge: 0 at P1, 1 at P2.
 struct FlatHinge {
   double height0, foot0, height1, foot1;
 
@@ -55,7 +55,7 @@ struct FoldCase {
   FlatHinge flat_hinge;
   double theta;
   VecX x;         // turned and moved at random
-  double length;  // m, the lowest height: on this scale θ changes
+  double length;  // m, the lowest height: the scale on which θ changes
 };
 
 // Every proportion at every angle.
@@ -84,7 +84,7 @@ inline std::vector<FoldCase> all_folds(unsigned seed) {
   return folds;
 }
 
-// Vertices 0 to 3, with the angle of the last step next to θ.
+// A hinge of the vertices 0 to 3 that stores θ as the angle of the last step.
 inline Hinge hinge_near(double theta, double rest_angle = 0, double shape = 1) {
   Hinge hinge{{{0, 1, 2, 3}}};
   hinge.rest_angle = rest_angle;

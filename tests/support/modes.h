@@ -6,8 +6,8 @@
 #include "math/cloth.h"
 #include "support/decompositions.h"
 
-// K̂ = −∂f/∂x by central differences of width `reach`; forces that are linear in x leave no error but
-// rounding, f/reach.
+// K̂ = −∂f/∂x by central differences of width `reach`. For forces that are linear in x the only
+// error is rounding, f/reach.
 template <class Forces, class System>
 MatX stiffness_matrix(const Cloth& cloth, const State& state, const Forces& forces, System& system,
                       double reach) {
@@ -26,7 +26,7 @@ MatX stiffness_matrix(const Cloth& cloth, const State& state, const Forces& forc
 
 // K̂ p = ω² M p on the coordinates that are not pinned.
 struct Modes {
-  VecX omega;  // 1/s, ascending; of a ω² that is not positive, 0
+  VecX omega;  // 1/s, ascending; 0 if ω² is not positive
   MatX shape;  // m, one column per mode, zero at the pins
 };
 

@@ -13,20 +13,22 @@ struct Outcome {
   int steps = 0;
   bool finite = true;  // every position
 
-  // The largest E − E_0, J, and the largest rise of E in a step, of the sum of the energies' sizes.
+  // The largest E − E_0, J, and the largest rise of E in a step, relative to the sum of
+  // the sizes of the energies.
   double gain = -std::numeric_limits<double>::infinity(), rise = gain;
 
-  double peak = 0, last = 0;  // the largest stretch, of all steps and after the last
+  double peak = 0, last = 0;  // the largest stretch in all steps, and after the last step
   long indefinite = 0;        // steps whose matrix was not definite
   State end;
 };
 
-// As many steps as `seconds` need, at least `fewest`.
+// The number of steps that `seconds` take, at least `fewest`.
 inline int steps_for(double seconds, double h, int fewest) {
   return std::max(fewest, int(std::lround(seconds / h)));
 }
 
-// Ends early where a position is not finite. The scene is a copy, because step 5 stores θ in its hinges.
+// Ends early if a position is not finite. The scene is a copy, because
+// step 5 stores θ in its hinges.
 template <class System, class Step>
 Outcome watch(TestScene scene, double h, int steps, System& system, const Step& step) {
   Outcome o;
@@ -48,13 +50,13 @@ Outcome watch(TestScene scene, double h, int steps, System& system, const Step& 
   return o;
 }
 
-// By step 3.
+// Runs step 3.
 Outcome watch(const TestScene&, double h, int steps, const Method& = {});
 
-// The cloth at rest in the end: Newton's method at h = 10 s, where inertia is next to nothing, with the
-// velocity set to zero before every step, until a step moves no vertex by 1 µm. From 1e6 N/m on and
-// where the cloth lies in folds that no force resists it creeps on; its stretch has settled long before
-// the last of 20 steps.
+// The hanging cloth at rest: Newton's method at h = 10 s, where inertia is negligible, with the
+// velocity set to zero before every step, until a step moves no vertex by 1 µm. From 1e6 N/m on,
+// and if the cloth lies in folds that no force resists, the cloth creeps on. Its stretch has
+// settled long before the last of 20 steps.
 State hanging(const TestScene&);
 
 double static_stretch(const TestScene&);

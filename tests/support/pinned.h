@@ -24,7 +24,7 @@ inline Mat3 only(const Vec3& d) {
 // S of all vertices.
 MatX filter_matrix(const Cloth&);
 
-// Orthonormal columns that span what the pins leave free.
+// Orthonormal columns that span the directions that the pins leave free.
 MatX free_directions(const Cloth&);
 
 // z by its definition: the part of Δv that the pins prescribe, in the directions that they hold.
@@ -33,8 +33,8 @@ VecX prescribed(const Cloth&, const VecX& v);
 // The Δv in z + range(S) at which ½ Δvᵀ A Δv − bᵀ Δv is smallest.
 VecX reduced_solution(const Cloth&, const MatX& A, const VecX& b, const VecX& z);
 
-// A disturbed sheet that moves, held by pins that move: corners in all directions, others in two and
-// in one, along the axes and obliquely, and two neighbours.
+// A disturbed sheet that moves, held by pins that move: the corners in all directions, other
+// vertices in two directions or in one, along the axes and obliquely. Two of them are neighbours.
 struct PinnedSheet {
   explicit PinnedSheet(unsigned seed, Diagonals diagonals = Diagonals::alternating,
                        const std::array<int, 2>& cells = {6, 4});

@@ -14,7 +14,7 @@ class Random {
  public:
   explicit Random(unsigned seed) : generator(seed) {}
 
-  unsigned seed() { return unsigned(generator()); }  // of another one
+  unsigned seed() { return unsigned(generator()); }  // for another generator
 
   double between(double low, double high) {
     return low + (high - low) * double(generator()) / double(std::mt19937::max());

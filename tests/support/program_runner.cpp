@@ -116,7 +116,7 @@ Running::~Running() {
 }
 
 bool Running::read_for(double seconds) {
-  pollfd ends[] = {{out, POLLIN, 0}, {err, POLLIN, 0}};  // a closed one is −1 and ignored
+  pollfd ends[] = {{out, POLLIN, 0}, {err, POLLIN, 0}};  // poll ignores a closed end, −1
   poll(ends, 2, int(1000 * seconds));
   for (const pollfd& end : ends) {
     if (end.revents == 0) continue;

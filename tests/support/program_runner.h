@@ -21,7 +21,7 @@ struct StepProgram {
   std::filesystem::path scene() const;  // its own scene.toml
 
   // A square metre of 40 × 40 cells that falls, hung by two corners: the program's own scene, or,
-  // where that is another one, tests/steps/squares/…/scene.toml.
+  // if that is another scene, tests/steps/squares/…/scene.toml.
   std::filesystem::path square() const;
 };
 inline void PrintTo(const StepProgram& program, std::ostream* out) {
@@ -77,7 +77,7 @@ class ProgramDirectory : public testing::Test {
   const std::filesystem::path directory;
 };
 
-// The same for every program of the list.
+// The same test for every program of the list.
 class ProgramTest : public ProgramDirectory, public testing::WithParamInterface<StepProgram> {
  protected:
   Outcome run(const Arguments& arguments, std::optional<long> largest_file = {}) const {
@@ -85,16 +85,16 @@ class ProgramTest : public ProgramDirectory, public testing::WithParamInterface<
   }
   void expect_done(const Arguments&) const;  // exit code 0, and nothing on the standard error
 
-  // The program's square metre on so many cells: small enough for many runs.
+  // The program's square metre with so few cells that many runs are quick.
   Arguments small_square(int cells, const Arguments& more) const;
 };
 
 std::string read_all(const std::filesystem::path&);
 std::vector<std::string> lines_of(const std::string& text);
 std::vector<std::string> columns_of(const std::string& csv);
-Table read_table(const std::filesystem::path& csv);  // fails the test where a row is not whole
+Table read_table(const std::filesystem::path& csv);  // fails the test if a row is incomplete
 
-// Names of the files in a directory, sorted; none where it does not exist.
+// The names of the files in a directory, sorted; none if it does not exist.
 std::vector<std::string> files_in(const std::filesystem::path& directory);
 int count_starting(const std::vector<std::string>& names, const std::string& start,
                    const std::string& end);

@@ -1,5 +1,5 @@
-// The reference of a step: the same cloth, moved by the classical Runge-Kutta method of order 4 with steps
-// so short that its error is negligible. And the measured order of a step.
+// The reference for a step: the same cloth, moved by the classical Runge-Kutta method of order 4
+// with steps so short that its error is negligible. And the measured order of a step.
 #pragma once
 #include <cmath>
 #include <functional>
@@ -49,7 +49,8 @@ inline double rms_distance(const Cloth& cloth, const VecX& x, const VecX& y) {
   return (x - y).norm() / std::sqrt(moving);
 }
 
-// The errors of runs with `steps`, 2 `steps`, 4 `steps`, … and the order over the last halving of h.
+// The errors of runs with `steps`, 2 `steps`, 4 `steps`, …, and the order
+// over the last halving of h.
 struct Convergence {
   std::vector<double> errors;  // m
 

@@ -1,5 +1,5 @@
-// The scenes that every step is judged on: small cloths whose motion is known, or smooth enough to be
-// known to many digits by a finer computation. Damping is set afterwards, in cloth.triangles.
+// The scenes on which every step is judged: small cloths whose motion is known exactly, or so
+// smooth that a finer computation gives many digits. Damping is set afterwards, in cloth.triangles.
 #pragma once
 #include <cmath>
 #include <functional>
@@ -59,9 +59,10 @@ inline TestScene sheet(int cells, Held held, double k, double k_shear, Gravity g
   return at_rest(mesh, m);
 }
 
-// One triangle that hangs by its two upper vertices, so that only vertex 2 moves, 1 m from the hinge;
-// it starts at rest, `angle` from straight down. The thread along v runs from the middle of the hinge
-// to vertex 2: a spring of stiffness k a/(1 m)², whose length is the length of the pendulum.
+// One triangle that hangs by its two upper vertices, so that only vertex 2 moves, 1 m from
+// the hinge. It starts at rest, `angle` from straight down. The thread along v runs from
+// the middle of the hinge to vertex 2: a spring of stiffness k a/(1 m)², whose length is
+// the length of the pendulum.
 inline TestScene pendulum(double angle, double k, double k_shear) {
   Mesh mesh;
   mesh.faces = {{0, 1, 2}};
@@ -84,25 +85,26 @@ inline TestScene strip(double width, const std::array<int, 2>& cells, double k, 
   return scene;
 }
 
-// How far below the top a point s of a hanging cloth of length L comes to rest. The thread at s bears
-// the weight below it and stretch is linear, at any strain:
+// The depth below the top at which a point s of a hanging cloth of length L rests. The thread at s
+// bears the weight below it, and stretch is linear at any strain:
 //   ρ g (L − s) = k (λ − 1),   λ = dy/ds      so   y = s + ρ g (L s − s²/2)/k,   y(L) = L + ρ g L²/2k
 inline double hanging_depth(double s, double L, double k) {
   return s + density * g * (L * s - s * s / 2) / k;
 }
 
-// The scenes in which the order of convergence is measured. In each, neighbouring starts stay
-// neighbours until `end`, so that the error at the end is that of the method.
+// The scenes in which the order of convergence is measured. In each of them, small differences at
+// the start stay small until `end`, so that the error at the end is that of the method.
 
-// Swings from the horizontal.
+// A triangle that swings from the horizontal.
 inline TestScene swinging_triangle() {
   TestScene scene = pendulum(pi / 2, 200, 100);
   scene.end = 0.5;
   return scene;
 }
 
-// Rings lengthwise, with its first mode, in `rows` rows of square cells. As tension is linear in stretch,
-// at any amplitude, the motion is that of a string of air: with s = v − 1 from the top,
+// A strip of `rows` rows of square cells that vibrates lengthwise in its first mode.
+// Tension is linear in stretch, at any amplitude, so the motion is that of air in a pipe:
+// with s = v − 1 from the top,
 //
 //   y(s, t) = s + 0.05 m sin(π s/2) cos(ω t),   ω = π/2 √(k/ρ)/(1 m)
 inline double ringing_depth(double s, double k, double time) {
@@ -120,7 +122,8 @@ inline TestScene ringing_strip() {
   return ringing_strip_of(8, 100);
 }
 
-// Held by all edges, stretched by 5 %, and thrown up in the middle. The cleanest of the four.
+// A sheet held by all edges, stretched by 5 %, and thrown up in the middle. It shows the order
+// most clearly of the four.
 inline TestScene trampoline() {
   const Mesh mesh = make_grid({1, 1}, {6, 6}, Diagonals::same);
   Model m = model(100, 50, Gravity::on);
@@ -135,7 +138,7 @@ inline TestScene trampoline() {
   return scene;
 }
 
-// Held by its top row, stretched by its own weight, and pulled 25 degrees aside.
+// A curtain held by its top row, stretched by its own weight, and pulled 25 degrees aside.
 inline TestScene curtain_of(double k) {
   const Mesh mesh = make_grid({1, 1}, {6, 6}, Diagonals::same);
   const double angle = 25 * pi / 180;

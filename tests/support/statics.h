@@ -1,5 +1,5 @@
-// The equilibrium of a cloth in the unknowns that it is given: the minimum of its energy, by Newton's method
-// with the forces and derivatives of step 5.
+// The equilibrium of a cloth in given unknowns: the minimum of its energy, by Newton's method with
+// the forces and derivatives of step 5.
 #pragma once
 #include <Eigen/SparseCore>
 #include <memory>
@@ -33,6 +33,6 @@ class Statics {
   std::unique_ptr<step05::System> system_;
 };
 
-// Where K̂ is not definite, a multiple of I is added. A step that raises the energy is halved. The iteration
-// ends with a step of less than a billionth of a metre.
+// If K̂ is not definite, a multiple of I is added. A step that raises the energy is halved. The
+// iteration ends with a step of less than a billionth of a metre.
 VecX equilibrium(const Cloth&, const Sparse& P, VecX x);

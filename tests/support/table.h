@@ -39,7 +39,8 @@ inline void print_counts(const std::vector<Run>& runs) {
               beyond(2), beyond(20));
 }
 
-// `at_rest` is the scene whose hanging cloth this one becomes; seconds(h) how long it is watched.
+// `at_rest` is the scene whose hanging cloth this scene must reach.
+// seconds(h) is the time of a run.
 template <class Seconds>
 std::vector<Run> run_table(const char* title, MakeScene make, MakeScene at_rest,
                            const Seconds& seconds, int fewest) {

@@ -14,7 +14,7 @@ std::string format(const char* pattern, Values... values) {
   return text;
 }
 
-// All of its digits.
+// The number with all of its digits.
 inline std::string number(double value) {
   std::string text;
   append_number(text, value);

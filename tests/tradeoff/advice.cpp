@@ -1,4 +1,4 @@
-// What to take, in a sentence; and the commands that do it.
+// The advice of a study, in one sentence, and the commands that repeat its runs.
 #include <algorithm>
 
 #include "support/text.h"
@@ -8,7 +8,7 @@ namespace tradeoff {
 
 namespace {
 
-// The smallest of the errors asked for that explicit and implicit ways both reach, at what cost.
+// The smallest of the asked errors that both explicit and implicit steps reach, and their costs.
 struct Comparison {
   double error;
   Score explicit_way, implicit_way;
@@ -36,7 +36,8 @@ bool is_explicit(const Score& s) {
   return s.trial.configuration.step < 3;
 }
 
-// On the front implicit ways come first, or explicit ones, or only one of the two kinds is there.
+// The front starts with implicit configurations, starts with explicit ones, or has
+// only one of the two kinds.
 std::string which(const Study& study, const std::vector<Score>& front) {
   const Score &cheap = front.front(), &best = front.back();
   if (const auto turn = crossover(front))

@@ -1,5 +1,6 @@
-// The Pareto front: the trials that no other beats in error and in cost at once; and what is read off it.
-// What exploded, or ended farther from the truth than the cloth is wide, is no answer.
+// The Pareto front: the trials that no other trial beats in both error and cost; and the answers
+// that follow from it. A trial that exploded, or that ended farther from the truth than the size of
+// the cloth, does not count.
 #pragma once
 #include <optional>
 
@@ -10,16 +11,18 @@ namespace tradeoff {
 // From the cheapest to the most accurate.
 std::vector<Score> pareto_front(const std::vector<Score>&);
 
-// The front without those that are less than a tenth more accurate than the one before: as many as one
-// wants to read.
+// The front without the trials that are less than a tenth more accurate than the one before: a list
+// that is short enough to read.
 std::vector<Score> distinct(const std::vector<Score>& front);
 
-// The cheapest with an error of no more than `error`; the most accurate in no more than `baselines`.
+// The cheapest trial with an error of at most `error`; the most accurate trial that
+// costs at most `baselines`.
 std::optional<Score> cheapest(const std::vector<Score>&, double error);
 std::optional<Score> most_accurate(const std::vector<Score>&, double baselines);
 
-// Where on the front, from cheap to accurate, explicit ways take over from implicit ones: the last of these
-// and the first of those. Nothing where the cheapest is explicit, or none is.
+// Where explicit steps replace implicit ones on the front, from cheap to accurate: the
+// last implicit trial and the first explicit one. Empty if the cheapest trial is
+// explicit, or if no trial is.
 std::optional<std::pair<Score, Score>> crossover(const std::vector<Score>& front);
 
 }  // namespace tradeoff

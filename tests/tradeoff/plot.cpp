@@ -12,7 +12,7 @@ namespace {
 
 struct Series {
   const char* title;
-  const char* style;  // gnuplot's, of its line and points
+  const char* style;  // of gnuplot, for lines and points
   bool (*holds)(const Configuration&);
 };
 
@@ -49,7 +49,8 @@ std::string data_block(const std::string& name, const Study& study,
   return block + "EOD\n";
 }
 
-// A triangle, from its lower left corner, whose hypotenuse falls `order` decades of error for one of time.
+// A triangle whose lower left corner is (x, y). Along its hypotenuse the error falls by `order`
+// decades per decade of time.
 std::string slope_triangle(double x, double y, int order, int tag) {
   const double right = x * std::sqrt(10.0), top = y * std::pow(10.0, order / 2.0);
   const char* side = "set arrow %d from %g,%g to %g,%g nohead lw 1.5 lc rgb '#888888'\n";
@@ -59,7 +60,7 @@ std::string slope_triangle(double x, double y, int order, int tag) {
                 tag, order, std::sqrt(x * right), y);
 }
 
-// What stands at the ends of the front, and where explicit steps take over.
+// Labels at both ends of the front, and where explicit steps replace implicit ones.
 std::string labels(const Study& study, const std::vector<Score>& front) {
   std::vector<Score> marked = {front.front()};
   if (const auto turn = crossover(front)) marked.push_back(turn->second);
@@ -73,7 +74,7 @@ std::string labels(const Study& study, const std::vector<Score>& front) {
   return text;
 }
 
-// Every trial is a dot; of each series and of all together the front is a line.
+// Every trial is a dot. Lines show the front of each series and the front of all trials.
 std::string series_and_front(const Study& study, const std::vector<Score>& front,
                              std::string& data) {
   data += data_block("front", study, front);

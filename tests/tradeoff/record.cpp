@@ -13,7 +13,7 @@ namespace tradeoff {
 
 namespace {
 
-// One column: its name, and the text of a score's value and back.
+// One column: its name, and how a value of a score becomes text and text a value.
 struct Column {
   const char* name;
   std::function<std::string(const Score&)> write;
@@ -156,7 +156,7 @@ Record::Record(const std::filesystem::path& file_, const std::string& study_)
     }
     while (take_line(rest, line)) {
       const std::vector<std::string> cells = split(line);
-      if (cells.size() != columns().size() + 3) continue;  // broken off
+      if (cells.size() != columns().size() + 3) continue;  // an incomplete row
       kept_rows += std::string(line) + "\n";
       if (cells[0] != study) continue;
       Score score;

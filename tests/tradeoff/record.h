@@ -1,5 +1,5 @@
-// tradeoff.csv: a row per trial, written as soon as it is there, so that an interrupted study goes on
-// where it was.
+// tradeoff.csv: one row per trial. A row is written when its trial ends, so that an
+// interrupted study can continue.
 #pragma once
 #include <fstream>
 
@@ -9,13 +9,14 @@ namespace tradeoff {
 
 class Record {
  public:
-  // Reads what `file` already holds of this study: `study` names everything that a score depends on. Rows
-  // of other studies stay where they are. Throws std::runtime_error where the file cannot be written.
+  // Reads the rows that `file` already has of this study. `study` identifies everything that
+  // a score depends on. Rows of other studies stay in the file. Throws std::runtime_error if
+  // the file cannot be written.
   Record(const std::filesystem::path& file, const std::string& study);
 
   const Score* find(int cells, const Trial&) const;
   void add(const Score&,
-           double seconds);  // throws std::runtime_error, naming the file, on a full disk
+           double seconds);  // on a full disk: throws std::runtime_error with the file name
 
   const std::vector<Score>& scores() const { return all; }
   size_t found() const { return kept; }  // rows of an earlier run

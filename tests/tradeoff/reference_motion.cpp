@@ -11,10 +11,10 @@ namespace tradeoff {
 namespace {
 
 constexpr double moved = 1e-9;   // m
-constexpr double enough = 1e-6;  // of the size: an error that no trial undercuts
+constexpr double enough = 1e-6;  // of the size: less than the error of any trial
 
-// The Runge-Kutta method on the forces of a step that has them all; of a force, pins leave what their filter
-// does. Every run begins with the folds of the start.
+// The Runge-Kutta method of order 4 on the forces of a step that has all of them. The filter of a
+// pin removes the held part of a force. Every run begins with the folds of the start.
 class FineMotion {
  public:
   explicit FineMotion(const StudyScene& study_)
@@ -46,7 +46,7 @@ class FineMotion {
     return run;
   }
 
-  // Vertices up to `by` m from where they should be, irregular and the same on every machine.
+  // The start with every vertex perturbed by up to `by` m, irregularly and alike on every machine.
   State begun_elsewhere(double by) const {
     State state = study.scene.start;
     VecX away(state.x.size());
@@ -61,13 +61,13 @@ class FineMotion {
 
   double distance(const State& a, const State& b) const { return rms_distance(cloth, a.x, b.x); }
 
-  // Beginning with half of the step that symplectic Euler survives.
+  // The number of steps of the first run. Its h is half of the longest step of symplectic Euler.
   long coarsest() {
     const double h = critical_step(*simulator, cloth, study.scene.start);
     return std::max(8L, std::lround(std::ceil(study.scene.time.end / (0.5 * h))));
   }
 
-  // How much farther apart two runs end than they began.
+  // The distance of two runs at the end, divided by their distance at the start.
   double growth(const Reference& from) {
     const double grown = distance(run(from.steps, moved).state, from.state) /
                          distance(begun_elsewhere(moved), begun_elsewhere(0));
@@ -112,7 +112,7 @@ Reference find_reference(const StudyScene& study, double patience,
   Reference last = motion.run(motion.coarsest());
   last.seconds = cpu_seconds() - begin;
   double run_seconds = last.seconds;
-  while (last.seconds + 4 * run_seconds < patience) {  // two runs, one of them begun elsewhere
+  while (last.seconds + 4 * run_seconds < patience) {  // two runs: baseline and perturbed
     const double at = cpu_seconds();
     Reference finer = motion.run(2 * last.steps);
     run_seconds = cpu_seconds() - at;

@@ -64,8 +64,8 @@ void print_front(const Study& study) {
   }
 }
 
-// Of every kind of way the longest and the shortest step that came to an end, where positions cannot be
-// compared.
+// For scenes whose positions cannot be compared: the longest and the shortest time step of each
+// kind of configuration that reached the end.
 void print_statistics(const Study& study) {
   std::printf(
       "\nNo error can be told, so only what the cloth is like at the end, of each way for the "
@@ -89,7 +89,7 @@ void print_statistics(const Study& study) {
   }
 }
 
-// What broke off, counted: nothing is left out in silence.
+// Counts the runs that failed and those that deserve a warning: none is left out silently.
 void print_failures(const Study& study) {
   std::vector<std::pair<std::string, int>> reasons;
   for (const Score& score : study.scores) {

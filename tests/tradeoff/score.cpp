@@ -12,7 +12,7 @@ namespace tradeoff {
 namespace {
 
 struct Motion {
-  Cloth cloth;  // with its folds
+  Cloth cloth;  // its hinges store their angles
   State state;
   Counts counts;
   double seconds;
@@ -23,14 +23,14 @@ std::string in_step(const char* what, long n, long of) {
   return std::string(what) + " in step " + std::to_string(n) + " of " + std::to_string(of);
 }
 
-// Why the run cannot go on; empty where it can.
+// Why the run cannot continue; empty if it can.
 std::string trouble(const StudyScene& study, const State& state, long n, long steps) {
   if (!state.x.allFinite()) return in_step("exploded", n, steps);
   if (has_exploded(max_stretch(study.scene.mesh, state.x))) return in_step("exploded", n, steps);
   return {};
 }
 
-// The steps alone are timed; what is done once, before the first, is not.
+// Only the steps are timed, not the preparation before the first step.
 Motion move(const StudyScene& study, const Trial& trial, double patience) {
   Motion motion{study.scene.cloth, study.scene.start, {}, 0, ""};
   const auto simulator = make_simulator(trial.configuration, motion.cloth);
@@ -114,7 +114,7 @@ Score run_trial(const StudyScene& study, const Reference& reference, const Trial
     }
   } catch (const std::invalid_argument& cannot) {
     score.outcome = cannot.what();
-    std::replace(score.outcome.begin(), score.outcome.end(), ',', ';');  // a cell of tradeoff.csv
+    std::replace(score.outcome.begin(), score.outcome.end(), ',', ';');  // one cell of the CSV file
     return score;
   }
   score.repeats = int(ratios.size());

@@ -15,10 +15,11 @@ namespace {
 struct Task {
   size_t mesh;
   Trial trial;
-  double seconds;  // that it may take: a guess, for the order and the progress
+  double seconds;  // an estimate, for the order of the tasks and the progress line
 };
 
-// Of one run: explicit steps take some 20 ns a triangle, plain implicit ones forty times that.
+// The estimated time of one run: an explicit step takes about 20 ns per triangle, a plain
+// implicit step 40 times as long.
 double guess(const Trial& trial, const Cloth& cloth) {
   double work = trial.configuration.step < 3 ? 1 : 40;
   if (trial.configuration.step == 3 && trial.configuration.method.solver == "inverse")
@@ -47,8 +48,8 @@ std::vector<Task> tasks_of(const Plan& plan, const Study& study) {
   return tasks;
 }
 
-// Everything that a score depends on, in a short word (FNV-1a): the program itself, for it is its steps
-// that are judged, the scene, and what is judged by.
+// A hash (FNV-1a) of everything that a score depends on: this program, because it contains the
+// steps that are judged; the scene; and the reference.
 std::string fingerprint(const Plan& plan, const Study& study) {
   std::uint64_t hash = 14695981039346656037u;
   const auto add = [&](const void* data, size_t size) {
@@ -64,7 +65,7 @@ std::string fingerprint(const Plan& plan, const Study& study) {
       add(numbers->data(), sizeof(double) * size_t(numbers->size()));
     add_text(std::to_string(study.references[i].steps) + study.references[i].refusal());
   }
-  add(&plan.quick, sizeof plan.quick);  // its times are of fewer rounds
+  add(&plan.quick, sizeof plan.quick);  // a quick study takes fewer rounds
   return format("%016llx", static_cast<unsigned long long>(hash));
 }
 

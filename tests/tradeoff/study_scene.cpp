@@ -12,7 +12,7 @@ namespace tradeoff {
 
 namespace {
 
-// The default scene of the first steps, coarser, and until it begins to fold.
+// The default scene of the first steps on a coarser mesh. It ends when the cloth begins to fold.
 TestScene dropped_sheet(int cells, double k) {
   const Mesh mesh = make_grid({1, 1}, {cells, cells}, Diagonals::alternating);
   Model m = model(k, k / 2, Gravity::on);
@@ -28,7 +28,7 @@ TestScene damped_curtain(double k) {
   return scene;
 }
 
-// A built-in scene that was made for one k, with another.
+// A built-in scene with its stiffnesses scaled to another k.
 TestScene rescaled(TestScene scene, double k) {
   const double factor = k / scene.cloth.term<StretchTerm>()->k;
   scene.cloth.term<StretchTerm>()->k *= factor;
@@ -145,8 +145,8 @@ double longer_side(const Mesh& mesh) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
 }
 
-// Whether step N can simulate the scene is for read_scene to say; a step that lacks what it teaches would
-// only repeat the one before.
+// read_scene decides whether a step can simulate the scene. A step whose new concept the scene does
+// not use is left out: it would only repeat the step before.
 void choose_steps(StudyScene& study, const Overrides& overrides) {
   const Cloth& cloth = study.scene.cloth;
   const bool bends = first_step_of(cloth) == 5;

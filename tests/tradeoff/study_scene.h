@@ -1,5 +1,5 @@
-// What is studied: a scene.toml that the programs can run, read as they read it. A built-in scene is
-// written as one first.
+// A scene that is studied: a scene.toml that the programs can run, read by the same reader. A
+// built-in scene is first written to such a file.
 #pragma once
 #include <functional>
 #include <optional>
@@ -10,16 +10,16 @@ namespace tradeoff {
 
 struct StudyScene {
   std::string name;
-  Scene scene;          // as step 5 reads it; its file is what the programs are given
-  std::string options;  // that the programs need beside the file
-  double size = 0;  // m, the longer side of the cloth as it is laid: what errors are relative to
+  Scene scene;          // as step 5 reads it; the programs get its file
+  std::string options;  // more options that the programs need
+  double size = 0;      // m, the longest side of the mesh; errors are relative to it
 
   std::vector<int> steps;                       // that can simulate it, each in its own way
-  std::vector<std::string> not_tried;           // the others, and why: "step01: …"
-  std::function<VecX(double time)> exact = {};  // where it is known, for a cloth without a mesh
+  std::vector<std::string> not_tried;           // the other steps, with the reason: "step01: …"
+  std::function<VecX(double time)> exact = {};  // the exact solution, if it is known
 };
 
-// Of its grid, along u; 0 where it is none.
+// The cells of its grid along u; 0 if the mesh is not a grid.
 int cells_of(const StudyScene&);
 
 struct BuiltIn {
@@ -31,20 +31,21 @@ const std::vector<BuiltIn>& built_in_scenes();
 
 struct Choice {
   std::string scene;              // a built-in name or letter, or a file
-  std::optional<double> k = {};   // N/m, of stretch, and half of it of shear; for built-in scenes
-  std::optional<int> cells = {};  // along u, of the drop, the strip and files
+  std::optional<double> k = {};   // N/m, of stretch; shear gets half of it; for built-in scenes
+  std::optional<int> cells = {};  // along u; for the drop, the strip and files
 };
 
-// Writes a built-in scene into `directory`. Throws BadInput for a name that is neither built in nor a
-// file, and for what the scene cannot be asked.
+// Reads a file, or writes a built-in scene into `directory` and reads that. Throws BadInput for a
+// name that is neither, and for a k or cells that the scene does not take.
 StudyScene make_study_scene(const Choice&, const std::filesystem::path& directory);
 
 bool is_built_in(const Choice&);
 
-// Of a built-in scene its name; of a file, that of its directory and its own: step01_explicit_scene.
+// The name of a built-in scene. Of a file, the name of its directory and its
+// own: step01_explicit_scene.
 std::string short_name(const Choice&);
 
-// The meshes that are compared if the choice names none: several where an answer without a mesh is known.
+// The meshes to compare if the choice names no cells: several if the exact solution is known.
 std::vector<Choice> meshes_of(const Choice&);
 
 }  // namespace tradeoff

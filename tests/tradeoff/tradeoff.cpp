@@ -1,4 +1,4 @@
-// tradeoff [scene]: what accuracy costs, and what speed costs in accuracy.
+// tradeoff [scene]: compares the error and the time of all configurations on one scene.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
@@ -25,7 +25,7 @@ std::string scenes_for_help() {
   return text + "Exit code 1: --budget or --seconds has no answer, or the study broke off.\n";
 }
 
-// As the user would type it again.
+// The arguments, as a user would type them again.
 std::string arguments_of(const Plan& plan, bool with_out) {
   std::string text =
       is_built_in(plan.choice) ? short_name(plan.choice) : for_shell(plan.choice.scene);
@@ -55,8 +55,8 @@ void print_scene(const Study& study) {
   std::fflush(stdout);
 }
 
-// A run of a step's program, judged by its positions: whether its folds were wound beyond a half turn, and
-// so its energy, the files do not tell.
+// Judges a run of a step's program by its positions. The energy is not judged: the files do not
+// tell whether a fold was wound beyond a half turn.
 int score_run(const Arguments& arguments, Study& study) {
   if (study.meshes.size() > 1)
     throw BadInput("--score: this scene has several meshes; name the one of the run with --cells");
@@ -77,7 +77,7 @@ int score_run(const Arguments& arguments, Study& study) {
   return 0;
 }
 
-// The answer to --budget and --seconds; false where there is none.
+// Prints the answer to --budget or --seconds. Returns false if there is none.
 bool answer(const Study& study, const std::optional<Score>& best, const std::string& question) {
   if (!best) {
     std::printf("\n%s: none of the ways that were tried\n", question.c_str());
@@ -90,7 +90,7 @@ bool answer(const Study& study, const std::optional<Score>& best, const std::str
   return true;
 }
 
-// --budget and --seconds; false where one has no answer.
+// Answers --budget and --seconds. Returns false if one of them has no answer.
 bool answers(const Arguments& arguments, const Study& study) {
   bool all = true;
   if (arguments.budget)

@@ -1,4 +1,4 @@
-// What a study says must be so: its orders, its crossover, its front, its commands.
+// Checks the claims of a study: its orders, its crossover, its front, its commands.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ class TradeOff : public testing::Test {
                      baseline);
   }
 
-  // The order over the last halving of h, of `steps` and twice as many.
+  // The order of convergence between runs of `steps` and 2 `steps`.
   double order(const Study& study, const Configuration& configuration, long steps) {
     return std::log2(run(study, configuration, steps).error /
                      run(study, configuration, 2 * steps).error);
@@ -46,7 +46,7 @@ class TradeOff : public testing::Test {
 
 const Configuration implicit{4, {.tolerance = 1e-8}};
 
-// The gates of every method of order 1: from 0.9 to 1.1.
+// The measured order of every method of order 1 must lie between 0.9 and 1.1.
 TEST_F(TradeOff, SeesTheOrdersOfItsMethods) {
   for (const char* name : {"T", "C", "D"}) {
     const Study study = study_of({name});
@@ -56,11 +56,12 @@ TEST_F(TradeOff, SeesTheOrdersOfItsMethods) {
     EXPECT_NEAR(order(study, {3}, 800), 1, 0.1) << name;
   }
   const Study flap = study_of({"F"});
-  EXPECT_EQ(flap.meshes[0].steps, std::vector{5}) << "nothing else bends";
+  EXPECT_EQ(flap.meshes[0].steps, std::vector{5}) << "only step 5 bends";
   EXPECT_NEAR(order(flap, {5, {.tolerance = 1e-8}}, 800), 1, 0.1);
 }
 
-// As an independent program found them, with a Runge-Kutta method of order 8 for reference.
+// The numbers come from an independent program, which takes a Runge-Kutta method of
+// order 8 as its reference.
 TEST_F(TradeOff, SeesTheErrorsOfAnIndependentProgram) {
   const Study study = study_of({"T"});
   EXPECT_NEAR(run(study, {1}, 400).error / 5.3e-5, 1, 0.2);
@@ -74,14 +75,14 @@ TEST_F(TradeOff, JudgesTheStripByItsExactMotion) {
   std::vector<double> total;
   for (size_t mesh = 0; mesh < 3; ++mesh) {
     const Score score = run(study, {1}, 5000L << (3 * mesh / 2), mesh);
-    EXPECT_LT(score.error, 0.05 * score.total_error) << "it is the mesh";
+    EXPECT_LT(score.error, 0.05 * score.total_error) << "the mesh must cause most of the error";
     total.push_back(score.total_error);
   }
-  EXPECT_GT(std::log2(total[0] / total[1]), 1.8) << "of order 2 in the size of a cell";
+  EXPECT_GT(std::log2(total[0] / total[1]), 1.8) << "the order in the size of a cell must be 2";
   EXPECT_GT(std::log2(total[1] / total[2]), 1.9);
 }
 
-// At equal h, below h_crit, of a soft cloth: explicit steps are nearer to the truth, and cheaper.
+// On a soft cloth, at the same h below h_crit, explicit steps are more accurate and cheaper.
 TEST_F(TradeOff, ExplicitStepsWinOnSoftClothBelowTheCriticalStep) {
   const Study study = study_of({"T"});
   const double end = study.meshes[0].scene.time.end;
@@ -93,13 +94,13 @@ TEST_F(TradeOff, ExplicitStepsWinOnSoftClothBelowTheCriticalStep) {
   }
 }
 
-// Costs by what moves through memory, so that no clock decides.
+// Costs in bytes that move through memory, so that the test does not depend on a clock.
 std::vector<Score> by_bytes(std::vector<Score> scores) {
   for (Score& score : scores) score.baselines = double(score.counts.bytes);
   return scores;
 }
 
-// The stiffer the cloth, the more accurate the answer that implicit steps are still the cheapest for.
+// The stiffer the cloth, the smaller the error down to which implicit steps are the cheapest.
 TEST_F(TradeOff, FindsWhereExplicitStepsTakeOver) {
   const auto turn_of = [&](const Study& study) {
     std::vector<Score> scores;
@@ -107,22 +108,22 @@ TEST_F(TradeOff, FindsWhereExplicitStepsTakeOver) {
          {Configuration{1}, Configuration{4, {.tolerance = 1e-2}}})
       for (long steps : step_counts(configuration, study.meshes[0].scene.time.end, study.h_crit[0]))
         scores.push_back(run(study, configuration, steps));
-    EXPECT_FALSE(scores.front().done()) << "2 h_crit explodes";
+    EXPECT_FALSE(scores.front().done()) << "h = 2 h_crit must explode";
     return crossover(pareto_front(by_bytes(scores)));
   };
-  EXPECT_FALSE(turn_of(study_of({"trampoline"}))) << "soft: explicit steps win everywhere";
+  EXPECT_FALSE(turn_of(study_of({"trampoline"}))) << "on a soft cloth explicit steps always win";
 
   const Study stiff = study_of({"curtain", 1e5});
   const auto turn = turn_of(stiff);
   ASSERT_TRUE(turn);
-  EXPECT_GT(turn->first.h, 10 * stiff.h_crit[0]) << "implicit where no explicit step can be";
+  EXPECT_GT(turn->first.h, 10 * stiff.h_crit[0]) << "an h that no explicit step survives";
   EXPECT_LT(turn->second.h, stiff.h_crit[0]);
   EXPECT_LT(turn->first.judged(), 2e-2);
   EXPECT_GT(turn->first.judged(), 1e-3);
   EXPECT_LT(turn->second.judged(), 1e-4);
 }
 
-// What the program says on its standard output.
+// The standard output of a command.
 std::string said_by(const std::string& command) {
   std::string text;
   FILE* pipe = popen(command.c_str(), "r");
@@ -156,7 +157,7 @@ TEST_F(TradeOff, QuotesPathsForAShell) {
   EXPECT_EQ(for_shell("it's/b"), "'it'\\''s/b'");
 }
 
-// A file of the user's, in a directory whose name needs quotes.
+// A user's file, in a directory whose name needs quotes.
 TEST_F(TradeOff, StudiesAFile) {
   const std::filesystem::path file = directory / "my scenes" / "flap's.toml";
   std::filesystem::create_directories(file.parent_path());
@@ -185,7 +186,7 @@ frames = 1
   EXPECT_EQ(said_by(command_of(study, score)).find("failed"), std::string::npos);
 }
 
-// A flap that is thrown round its edge, through more than a half turn: each run of the reference begins
+// A flap that is thrown round its edge, by more than a half turn. Each run of the reference begins
 // with the folds of the start, not with those of the run before.
 TEST_F(TradeOff, ItsReferenceForgetsTheFoldsOfTheRunBefore) {
   std::filesystem::create_directories(directory);
@@ -213,7 +214,7 @@ frames = 1
   ASSERT_TRUE(study.can_judge());
   const Score coarse = run(study, {5}, 1000), fine = run(study, {5}, 4000);
   EXPECT_LT(fine.error, 0.3 * coarse.error);
-  EXPECT_LT(fine.energy_error, 0.3 * coarse.energy_error) << "and so are its energies";
+  EXPECT_LT(fine.energy_error, 0.3 * coarse.energy_error) << "the energy error must fall";
 }
 
 Score invented(double error, double cost, int step = 1) {
@@ -263,7 +264,7 @@ TEST_F(TradeOff, AnswersWhatIsCheapestAndWhatIsMostAccurate) {
   EXPECT_EQ(crossover(pareto_front(scores))->second.error, 1e-3);
 }
 
-// The drop crumples the sooner the stiffer it is.
+// The stiffer the drop, the earlier it crumples.
 TEST_F(TradeOff, RefusesToJudgeWhatItsReferenceCannotTell) {
   Study study;
   study.meshes.push_back(make_study_scene({"drop", 1e5}, directory));
@@ -271,7 +272,7 @@ TEST_F(TradeOff, RefusesToJudgeWhatItsReferenceCannotTell) {
   EXPECT_NE(study.references[0].refusal(), "");
   const Score score = run(study, {4}, 50);
   EXPECT_EQ(score.outcome, "done");
-  EXPECT_NE(score.error, score.error) << "no number";
+  EXPECT_NE(score.error, score.error) << "the error must be NaN";
   EXPECT_LT(score.lowest, -0.1);
   EXPECT_FALSE(study.can_judge());
 }
@@ -289,7 +290,7 @@ TEST_F(TradeOff, GoesOnWhereItWasInterrupted) {
     record.add(score, 0.01);
   }
   { Record(file, "another").add(invented(1, 1), 1); }
-  std::ofstream(file, std::ios::app) << "one,step01,6,1";  // broken off in the middle of a row
+  std::ofstream(file, std::ios::app) << "one,step01,6,1";  // an incomplete row
   const Record again(file, "one");
   EXPECT_EQ(again.found(), 1u);
   const Score* found = again.find(6, score.trial);

@@ -10,7 +10,7 @@ namespace {
 
 const Method defaults;
 
-// 1e-4
+// Writes 0.0001 as 1e-4.
 std::string power_of_ten(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "1e%ld", std::lround(std::log10(value)));
@@ -27,7 +27,7 @@ std::string describe(const Configuration& configuration, const std::string& tole
   return name;
 }
 
-// The choices of the implicit steps, each multiplied with those so far.
+// Combines every configuration so far with every choice.
 template <class Choices, class Set>
 void cross(std::vector<Configuration>& configurations, const Choices& choices, const Set& set) {
   std::vector<Configuration> all;

@@ -1,4 +1,4 @@
-// A trial: one way to simulate the scene, with one length of step.
+// A trial: one configuration, with one time step.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -15,21 +15,23 @@ struct Trial {
   double h(double end) const { return end / double(steps); }
 };
 
-// What the trial has in common with others of another h: "step04 block 1e-4 bw98 newton".
+// The name of a configuration at any h: "step04 block 1e-4 bw98 newton".
 std::string name_of(const Configuration&);
 
 // The same without its tolerance: "step04 block bw98 newton".
 std::string kind_of(const Configuration&);
 
-// The options of the program that make it this way; the others are at their defaults.
+// The options that select this configuration in its program. Options at
+// their defaults are left out.
 std::string options_of(const Configuration&);
 
-// Every way that the steps offer, in the order of the steps: solvers or preconditioners × tolerances ×
-// Jacobians × plain or Newton steps. `few`: of solvers and tolerances the most telling.
+// Every configuration that the steps offer, in the order of the steps: solvers or
+// preconditioners × tolerances × Jacobians × plain or Newton steps. `few`: only the most
+// telling solvers and tolerances.
 std::vector<Configuration> configurations_of(const std::vector<int>& steps, bool few);
 
-// The numbers of steps to try. Explicit: around end/h_crit, where h = h_crit, and on to 1/32 of it.
-// Implicit: 8, 16, 32, … until h is an eighth of h_crit, at most nine.
+// The numbers of steps to try. Explicit: from h = 2 h_crit down to h_crit/32. Implicit: 8, 16, 32,
+// … until h is an eighth of h_crit, at most nine numbers.
 std::vector<long> step_counts(const Configuration&, double end, double h_crit);
 
 }  // namespace tradeoff

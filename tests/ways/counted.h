@@ -1,5 +1,5 @@
-// The matrix and the energy of the steps, with counters in every function that moves data. `counting`
-// points to the counts of this thread.
+// The matrix and the energy of the steps, with counters in every function that moves data.
+// `counting` points to the counts of this thread.
 #pragma once
 #include "math/energy.h"
 #include "math/pattern.h"
@@ -62,8 +62,9 @@ inline double counted_potential_energy(const Cloth& cloth, const VecX& x) {
   return potential_energy(cloth, x);
 }
 
-// The bytes of one evaluation of all forces, on K and D too if the step has them: an element is read and
-// so are the positions and velocities of its vertices; its forces and blocks are added to what is there.
+// The bytes of one evaluation of all forces, and of K and D if the step has them. Every
+// element is read, with the positions and velocities of its vertices. Its forces and blocks
+// are added to the sums in memory.
 inline long bytes_of_forces(const Cloth& cloth, bool velocities, int matrices) {
   long bytes = long(sizeof(double)) * cloth.mass.size();  // f = 0
   if (cloth.gravity) bytes += 3 * long(sizeof(double)) * cloth.mass.size();

@@ -74,8 +74,9 @@ class Implicit : public Simulator {
     return system.f;
   }
 
-  // Every system has its forces. An iteration of conjugate gradients passes over 17 vectors, those of the
-  // product apart; what surrounds a system, b, the change of v and that of x, over 10.
+  // Every system needs one evaluation of the forces. An iteration of conjugate gradients
+  // passes over 17 vectors, without those of the product. The rest of a system, b and the
+  // changes of v and x, passes over 10.
   Counts counts() const override {
     Counts all = counted;
     all.forces = counted.assemblies;

@@ -1,5 +1,5 @@
-// The five steps and their methods behind one interface, for programs that compare them. The steps' own
-// time_step.h does the work; it is compiled once, in simulator.cpp.
+// The five steps and their methods behind one interface, for programs that compare them. The
+// time_step.h of each step does the work; it is compiled once, in simulator.cpp.
 #pragma once
 #include <memory>
 
@@ -23,13 +23,14 @@ struct Counts {
   long energies = 0;  // evaluations of the potential energy, by Newton's line search
   long assemblies = 0;  // systems A Δv = b set up
   long products = 0;    // of A, K or D and a vector
-  // Bytes read and written: elements, vectors and matrices, every array once in every pass over it. Without
-  // the inside of preconditioners and direct solvers, and without the vectors of Newton's line search.
+  // Bytes read and written: elements, vectors and matrices, every array once in every pass
+  // over it. The inside of preconditioners and direct solvers and the vectors of Newton's
+  // line search are not counted.
   long bytes = 0;
 
   long iterations = 0;   // of conjugate gradients
   long indefinite = 0;   // systems that were not positive definite
-  long capped = 0;       // systems in which conjugate gradients reached their most iterations
+  long capped = 0;       // systems in which conjugate gradients reached the iteration limit
   long unconverged = 0;  // steps in which Newton's method did not converge
 };
 
@@ -42,8 +43,9 @@ class Simulator {
   virtual Counts counts() const = 0;
 };
 
-// The cloth must outlive the simulator. Step 5 stores θ in the hinges of the cloth, so that a cloth serves
-// one simulator. Throws std::invalid_argument for a solver or a preconditioner that this cloth cannot have.
+// The cloth must outlive the simulator. Step 5 stores θ in the hinges of the cloth, so every
+// simulator needs its own cloth. Throws std::invalid_argument for a solver or a preconditioner
+// that this cloth cannot have.
 std::unique_ptr<Simulator> make_simulator(const Configuration&, Cloth&);
 
 // The longest stable step of symplectic Euler about this state, s: math/stable_step.h.

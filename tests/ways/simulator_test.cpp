@@ -1,4 +1,4 @@
-// The steps behind the interface give the bits of the steps themselves, and the counts are right.
+// The simulators give the bits of the steps themselves, and their counts are right.
 #include <gtest/gtest.h>
 
 #include "step02_damping/time_step.h"
@@ -52,7 +52,7 @@ TEST(Simulators, CountForcesOfExplicitSteps) {
             24 * n * (1 + 3 + 7) + triangles * (long(sizeof(Triangle)) + 9 * 24));
 }
 
-// K v, and A Δv once before the first iteration and once in each.
+// The products of a step: K v, and A Δv once before the first iteration and once in each.
 TEST(Simulators, CountWhatAPlainImplicitStepDoes) {
   for (int step : {3, 4, 5}) {
     const Counts c = run({step}, damped_sheet(), 0.01, 10).counts;
@@ -66,10 +66,10 @@ TEST(Simulators, CountWhatAPlainImplicitStepDoes) {
 
 TEST(Simulators, CountTheEnergiesOfNewtonsMethod) {
   const Counts c = run({3, {.newton = 20}}, damped_sheet(), 0.01, 10).counts;
-  EXPECT_GT(c.assemblies, 20);          // some iterations each
-  EXPECT_GE(c.energies, c.assemblies);  // each looks at Φ where it stands …
+  EXPECT_GT(c.assemblies, 20);          // several iterations per step
+  EXPECT_GE(c.energies, c.assemblies);  // each iteration evaluates Φ at its start …
   EXPECT_LE(c.energies, 4 * c.assemblies);
-  EXPECT_EQ(c.products, c.energies + c.assemblies);  // … and D v with each, and in b
+  EXPECT_EQ(c.products, c.energies + c.assemblies);  // … and D v with every Φ and in b
 }
 
 TEST(Simulators, MoreMovesMoreBytes) {
