@@ -16,14 +16,14 @@ namespace {
 
 constexpr int rounds = 15;
 
-const std::vector<Part> parts = {{"gravity", "run_without_gravity"},
-                                 {"stretch", "run_without_stretch"},
-                                 {"shear", "run_without_shear"},
-                                 {"bend", "run_without_bend"},
-                                 {"stretch.kd", "run_without_stretch_damping"},
-                                 {"shear.kd", "run_without_shear_damping"},
-                                 {"bend.kd", "run_without_bend_damping"},
-                                 {"damping", "run_without_damping"}};
+const std::vector<Part> parts = {{"gravity", "timed/run_without_gravity"},
+                                 {"stretch", "timed/run_without_stretch"},
+                                 {"shear", "timed/run_without_shear"},
+                                 {"bend", "timed/run_without_bend"},
+                                 {"stretch.kd", "timed/run_without_stretch_damping"},
+                                 {"shear.kd", "timed/run_without_shear_damping"},
+                                 {"bend.kd", "timed/run_without_bend_damping"},
+                                 {"damping", "timed/run_without_damping"}};
 
 // stretch.kd is the damping of stretch.
 std::string title(const Part& part) {
@@ -71,8 +71,8 @@ Motions compare_motions(const Part& part) {
       return scene;
     };
     const Scene scene = on_12_cells(without(part, configuration));
-    const Outcome absent = run("run_full", scene), cut = run(part.program, scene);
-    const Outcome zero = run("run_full", on_12_cells(with_zero(part, configuration)));
+    const Outcome absent = run("timed/run_full", scene), cut = run(part.program, scene);
+    const Outcome zero = run("timed/run_full", on_12_cells(with_zero(part, configuration)));
     (configuration.exact ? motions.zero_exact : motions.zero_close).add(absent, zero);
     motions.built_without.add(absent, cut);
     for (const auto& [name, count] : absent.counts) {
@@ -85,7 +85,7 @@ Motions compare_motions(const Part& part) {
         ++motions.other_counts;
     }
     if (std::string(configuration.name) != "block") continue;
-    const Outcome present = run("run_full", on_12_cells(with(part, configuration)));
+    const Outcome present = run("timed/run_full", on_12_cells(with(part, configuration)));
     motions.bytes = present.counts.at("bytes") - absent.counts.at("bytes");
     motions.blocks = present.counts.at("blocks") - absent.counts.at("blocks");
   }
@@ -117,9 +117,9 @@ void add_round(const Part& part, const Configuration& configuration, Times& time
     scene["steps"] = scene["step"] == "2" ? "200" : "12";
     return run(program, scene).microseconds;
   };
-  times.absent.push_back(time("run_full", without(part, configuration)));
+  times.absent.push_back(time("timed/run_full", without(part, configuration)));
   times.built_without.push_back(time(part.program, without(part, configuration)));
-  times.present.push_back(time("run_full", with(part, configuration)));
+  times.present.push_back(time("timed/run_full", with(part, configuration)));
 }
 
 struct Row {

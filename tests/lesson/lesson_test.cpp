@@ -18,7 +18,7 @@ struct Step {
 };
 const std::vector<Step> all_steps = {{"step01_explicit", 0},
                                      {"step02_damping", 30},
-                                     {"step03_implicit", 120},
+                                     {"step03_implicit", 130},
                                      {"step04_cg", 100},
                                      {"step05_bend", 40}};
 
