@@ -43,8 +43,7 @@ std::string describe_method(const Options& options) {
 }  // namespace
 
 void print_scene(const Options& options, const Scene& scene) {
-  const std::filesystem::path directory = absolute(scene.file).parent_path().filename();
-  print_row(options.program + ": " + (directory / scene.file.filename()).string());
+  print_row(options.program + ": " + scene.name());
   print_wrapped(describe_elements(scene));
   const std::vector<std::string> terms = describe_terms(scene.cloth);
   print_wrapped(terms.empty() ? "no forces" : joined(terms, "; "));
@@ -134,8 +133,9 @@ void print_costs(const Options& options, const Scene& scene, const std::vector<P
     print_cost(parts[p].name, {s.median_saved[p], own + blocks}, whole,
                blocks > 0 ? bytes(blocks) + " of them in the matrices" : "");
   }
-  if (const auto sharing = sharing_terms(scene.cloth); !sharing.empty())
-    print_cost("triangles", shared, whole, "shared by " + joined(sharing, " and "));
+  if (const Sharing sharing = sharing_of(scene.cloth); !sharing.terms.empty())
+    print_cost(joined(sharing.elements, ", "), shared, whole,
+               "shared by " + joined(sharing.terms, " and "));
   else
     solve = {solve.seconds + shared.seconds, solve.bytes + shared.bytes};
   print_cost(name_of_solve(options), solve, whole, describe_solve(options, s));

@@ -86,16 +86,18 @@ std::vector<std::string> describe_terms(const Cloth& cloth) {
   return terms;
 }
 
-std::vector<std::string> sharing_terms(const Cloth& cloth) {
-  std::vector<std::string> names;
+Sharing sharing_of(const Cloth& cloth) {
+  Sharing sharing;
   for_each_family(cloth, [&](const auto& family) {
     std::vector<std::string> here;
     family.for_each_term([&]<class T>(const std::optional<T>& term) {
       if (term) here.emplace_back(T::info.table);
     });
-    if (here.size() > 1) names.insert(names.end(), here.begin(), here.end());
+    if (here.size() < 2) return;
+    sharing.elements.emplace_back(std::decay_t<decltype(family.elements[0])>::plural);
+    sharing.terms.insert(sharing.terms.end(), here.begin(), here.end());
   });
-  return names;
+  return sharing;
 }
 
 std::string describe_elements(const Scene& scene) {
@@ -110,7 +112,7 @@ std::string describe_elements(const Scene& scene) {
     if (number > 0 && plural != Triangle::plural)
       words += ", " + std::to_string(number) + " " + std::string(plural);
   const long moving = std::count_if(cloth.pins.begin(), cloth.pins.end(),
-                                    [](const Pin& pin) { return !pin.velocity.isZero(0); });
+                                    [](const Pin& pin) { return pin.moves(); });
   words += ", " + std::to_string(cloth.pins.size()) + " pinned";
   return words + (moving > 0 ? " (" + std::to_string(moving) +
                                    (moving == 1 ? " of them moves)" : " of them move)")

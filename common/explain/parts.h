@@ -20,7 +20,10 @@ std::vector<Part> parts_of(const Cloth&);
 std::vector<std::string> describe_terms(const Cloth&);
 
 // The terms that share their elements, and the cost of visiting them, with another term.
-std::vector<std::string> sharing_terms(const Cloth&);
+struct Sharing {
+  std::vector<std::string> elements, terms;  // triangles; stretch, shear
+};
+Sharing sharing_of(const Cloth&);
 
 // 3200 triangles, 4720 hinges, …
 std::string describe_elements(const Scene&);

@@ -178,7 +178,8 @@ void Multigrid::set(const BlockMatrix& A) {
     for (int s = last.row_start[i]; s < last.row_start[i + 1]; ++s)
       dense.block<3, 3>(3 * last.column[s], 3 * i) = last.upper[s].transpose();
   }
-  // P can map a coarse zigzag onto pinned vertices only; its pivot would be zero. This small number prevents that.
+  // P can map a coarse zigzag onto pinned vertices only; its pivot would be zero. This small number
+  // prevents that.
   dense.diagonal().array() += 1e-12 * dense.diagonal().maxCoeff();
   coarsest.compute(dense);
 }

@@ -7,6 +7,7 @@ struct Pin {
       : vertex(vertex_), S(S_), velocity(velocity_) {}
 
   bool holds_all() const { return S.isZero(0); }
+  bool moves() const { return !velocity.isZero(0); }
 
   int vertex;
   Mat3 S;         // I − Σ p pᵀ over the directions p that it holds: what it leaves free

@@ -14,7 +14,8 @@
 
 // Power iteration on M⁻¹ (h² K̂ + 2 h D̂). In every iteration h solves h² κ + 2 h δ = 4 with the Rayleigh
 // quotients κ, δ of the current vector p. It ends when h has changed by less than 1e-4 of itself over 20
-// iterations, or after 2000 iterations: then the last h is returned. Products with K̂ and D̂ are central differences of forces(state), N. Infinite where nothing pulls back.
+// iterations, or after 2000 iterations: then the last h is returned. Products with K̂ and D̂ are central
+// differences of forces(state), N. Infinite where nothing pulls back.
 double critical_step(const Cloth&, const State&,
                      const std::function<const VecX&(const State&)>& forces);
 

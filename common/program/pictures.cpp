@@ -39,21 +39,16 @@ Image Pictures::draw(const VecX& x, double time, int width, int height) const {
   if (options.strain_scale) draw_legend(image, *options.strain_scale);
   if (options.caption)
     draw_caption(image, options.program,
-                 scene_name() + text("  h = %.6g s  t = %.3f s", scene.time.h, time));
+                 scene.name() + text("  h = %.6g s  t = %.3f s", scene.time.h, time));
   return image;
 }
 
 // How a frame was made. Without date and machine, so that equal runs give equal bytes.
 PngText Pictures::about(double time) const {
   return {{"Software", "Large Steps, " + options.program},
-          {"Scene", scene_name()},
+          {"Scene", scene.name()},
           {"TimeStep", text("%.6g s", scene.time.h)},
           {"Time", text("%.6g s", time)}};
-}
-
-std::string Pictures::scene_name() const {
-  const std::filesystem::path directory = absolute(scene.file).parent_path().filename();
-  return (directory / scene.file.filename()).string();
 }
 
 // The film shows the moments i/12 of the run, i = 1 … 12, or all frames where there are fewer, and

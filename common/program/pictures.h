@@ -15,7 +15,6 @@ class Pictures {
  private:
   Image draw(const VecX& x, double time, int width, int height) const;
   PngText about(double time) const;
-  std::string scene_name() const;
   bool on_film(int number) const;
 
   const Options& options;

@@ -13,7 +13,7 @@ EnergyScale energy_scale(const Scene& scene, const Energies& start) {
 
 bool pins_move(const Cloth& cloth) {
   return std::any_of(cloth.pins.begin(), cloth.pins.end(),
-                     [](const Pin& pin) { return !pin.velocity.isZero(0); });
+                     [](const Pin& pin) { return pin.moves(); });
 }
 
 }  // namespace

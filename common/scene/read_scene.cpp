@@ -56,6 +56,11 @@ Camera read_camera(const SceneFile& scene, double end, bool end_is_given) {
 
 }  // namespace
 
+std::string Scene::name() const {
+  const std::filesystem::path directory = absolute(file).parent_path().filename();
+  return (directory / file.filename()).string();
+}
+
 // Quick checks come first; the mesh and all that needs it last.
 Scene read_scene(const std::filesystem::path& path, const std::string& program,
                  const Overrides& overrides) {

@@ -29,6 +29,8 @@ struct Camera {
 };
 
 struct Scene {
+  std::string name() const;  // for people: the file and the directory that it is in
+
   std::filesystem::path file;
   Mesh mesh;
   Cloth cloth;

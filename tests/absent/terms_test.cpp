@@ -85,7 +85,8 @@ TEST_F(ToyTermTest, HasItsPartsOfThePageOfExplain) {
   EXPECT_EQ(describe_terms(cloth),
             (std::vector<std::string>{"shear k = 7 N/m", "toy k = 40 N/m, kd = 0.5 N·s/m"}));
   EXPECT_EQ(names_of_parts(cloth), (std::vector<std::string>{"shear", "toy", "damping of toy"}));
-  EXPECT_EQ(sharing_terms(cloth), (std::vector<std::string>{"shear", "toy"}));
+  EXPECT_EQ(sharing_of(cloth).terms, (std::vector<std::string>{"shear", "toy"}));
+  EXPECT_EQ(sharing_of(cloth).elements, std::vector<std::string>{"triangles"});
   const Part toy = parts_of(cloth)[1], damping = parts_of(cloth)[2];
   EXPECT_EQ(toy.option, "--without toy");
   EXPECT_FALSE(toy.cloth.term<ToyTerm>());

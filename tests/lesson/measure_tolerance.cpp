@@ -48,7 +48,7 @@ void rescale(Cloth& cloth, double k) {
 Scene read(const Arguments& arguments) {
   Scene scene = read_scene(arguments.scene, "step04_cg", arguments.overrides);
   for (const Pin& pin : scene.cloth.pins)
-    if (!pin.holds_all() || !pin.velocity.isZero(0))
+    if (!pin.holds_all() || pin.moves())
       throw BadInput("measure_tolerance: the direct solvers take pins that hold all and rest");
   if (arguments.k) rescale(scene.cloth, *arguments.k);
   return scene;

@@ -82,10 +82,8 @@ class Implicit : public Simulator {
     all.forces = counted.assemblies;
     all.indefinite = system.counts.indefinite;
     all.unconverged = system.counts.unconverged;
-    if constexpr (requires { system.counts.iterations; }) {
-      all.iterations = system.counts.iterations;
-      all.capped = system.counts.capped;
-    }
+    all.iterations = system.counts.iterations;
+    all.capped = system.counts.capped;
     const long vector = long(sizeof(double)) * cloth.mass.size();
     all.bytes += all.forces * (bytes + 10 * vector) + all.iterations * 17 * vector;
     return all;
