@@ -7,6 +7,7 @@
 #include "math/counters.h"
 #include "math/pattern.h"
 #include "program/options.h"
+#include "scene/scene.h"
 
 // What a step's System takes, in bytes.
 struct Memory {

@@ -7,6 +7,7 @@
 
 #include "picture/renderer.h"
 #include "program/option_checks.h"
+#include "text/bad_input.h"
 
 namespace {
 

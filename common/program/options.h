@@ -1,12 +1,13 @@
 // The command line: the same few options in all programs.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "math/method.h"
-#include "scene/scene.h"
+#include "scene/overrides.h"
 
 // The concepts that a step has; each brings its options.
 struct Concepts {

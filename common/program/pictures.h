@@ -3,6 +3,7 @@
 #include "picture/png.h"
 #include "picture/renderer.h"
 #include "program/options.h"
+#include "scene/scene.h"
 
 class Pictures {
  public:

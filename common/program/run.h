@@ -5,6 +5,7 @@
 
 #include "math/counters.h"
 #include "program/options.h"
+#include "scene/scene.h"
 
 class Run {
  public:

@@ -8,6 +8,7 @@
 
 #include "math/cloth.h"
 #include "scene/mesh.h"
+#include "scene/overrides.h"
 #include "text/bad_input.h"
 
 struct Time {
@@ -37,13 +38,6 @@ struct Scene {
   State start;
   Time time;
   Camera camera;
-};
-
-// The changes that the command line makes in a scene, before the scene is checked.
-struct Overrides {
-  std::optional<double> h = {}, end = {};
-  std::optional<int> frames = {}, cells = {};  // cells along u; along v in proportion
-  std::vector<std::string> without = {};       // tables to leave out; a term with its damping
 };
 
 // Reads and checks everything before the first step. `program` is the name of the step (its first
