@@ -29,8 +29,9 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)  # Eigen without -O is 20 times slower
 endif()
 
-# Compiles eight files as one: they share their instances of Eigen's templates. This halves the time.
+# Compiles the files of a target as one: they share their instances of Eigen's templates. This halves the time.
 option(CMAKE_UNITY_BUILD "Compile the files of a target in batches" ON)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 20 CACHE STRING "The most files in a batch")
 
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)  # for editors and clang-tidy
 

@@ -98,15 +98,15 @@ class DenseInverse : public DirectSolver {
     if (needed > 0.5 * memory)
       throw std::invalid_argument(
           text("--solver inverse would need %.3g GB for the dense inverse of %.0f unknowns; half "
-               "of this "
-               "machine's memory is %.3g GB: use --solver ldlt or fewer cells",
+               "of this machine's memory is %.3g GB: use --solver ldlt or fewer cells",
                needed / 1e9, n, 0.5 * memory / 1e9));
   }
   bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
     free.copy(A);
     const Eigen::MatrixXd dense = Eigen::MatrixXd(free.values).selfadjointView<Eigen::Upper>();
     const Eigen::LDLT<Eigen::MatrixXd> factors(dense);
-    free.extend(dense.inverse() * free.restrict(b), dv);
+    const Eigen::MatrixXd inverse = dense.inverse();
+    free.extend(inverse * free.restrict(b), dv);
     return factors.isPositive();
   }
 

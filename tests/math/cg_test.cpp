@@ -33,7 +33,7 @@ TEST_P(ModifiedCG, SystemIsThatOfStep03) {
   MatX A = -(sheet.h * e.D + sheet.h * sheet.h * e.K);
   A.diagonal() += sheet.cloth.mass;
   EXPECT_LT(relative(dense(system.A), A), 1e-14);
-  EXPECT_LT(relative(system.b, sheet.h * (e.f + sheet.h * e.K * sheet.state.v)), 1e-13);
+  EXPECT_LT(relative(system.b, sheet.h * (e.f + sheet.h * (e.K * sheet.state.v))), 1e-13);
 }
 
 // With every tolerance, in the first step and after many.

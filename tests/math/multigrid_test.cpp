@@ -47,24 +47,24 @@ MatX lower(const MatX& A) {
 // P⁻¹ of a V-cycle: forwards, coarse and backwards multiply the error by I − P⁻¹ A. S projects onto what
 // the pins leave free on this level.
 MatX cycle(const MatX& A, const MatX& S, const Grid& grid) {
-  const MatX I = MatX::Identity(A.rows(), A.cols()), closed = S * A * S + I - S;
+  const MatX I = MatX::Identity(A.rows(), A.cols()), closed = product({S, A, S}) + I - S;
   if (!can_be_halved(grid)) {
     const MatX R = range(closed);
-    return R * inverse(R.transpose() * closed * R) * R.transpose();
+    return product({R, inverse(product({R.transpose(), closed, R})), R.transpose()});
   }
-  const MatX P = S * interpolation(grid), coarse = P.transpose() * A * P;
+  const MatX P = product({S, interpolation(grid)}), coarse = product({P.transpose(), A, P});
   MatX S_c =
       MatX::Zero(coarse.rows(), coarse.cols());  // where a coarse vertex is free in some direction
   for (int i = 0; i < S_c.rows(); i += 3) {
     const MatX R = range(coarse.block<3, 3>(i, i));
-    S_c.block<3, 3>(i, i) = R * R.transpose();
+    S_c.block<3, 3>(i, i) = product({R, R.transpose()});
   }
   const MatX P_c_inverse = cycle(coarse, S_c, half(grid));
   const MatX forwards = inverse(lower(closed));
-  const MatX E = (I - forwards.transpose() * closed) *
-                 (I - P * S_c * P_c_inverse * S_c * P.transpose() * closed) *
-                 (I - forwards * closed);
-  return (I - E) * inverse(closed);
+  const MatX E = product({I - product({forwards.transpose(), closed}),
+                          I - product({P, S_c, P_c_inverse, S_c, P.transpose(), closed}),
+                          I - product({forwards, closed})});
+  return product({I - E, inverse(closed)});
 }
 
 MatX matrix_of(Preconditioner& P, Eigen::Index n) {
@@ -182,9 +182,9 @@ TEST_P(VCycle, IsThatOfDenseMatrices) {
 TEST_P(VCycle, ContractsEveryError) {
   const step04::System system = sheet.step(cg("multigrid", 1e-6));
   const MatX Z = free_directions(sheet.cloth), A = dense(system.A);
-  const MatX L = cholesky(Z.transpose() * A * Z);
+  const MatX L = cholesky(product({Z.transpose(), A, Z}));
   const MatX P_inverse = matrix_of(*system.preconditioner, A.rows());
-  const VecX e = eigenvalues(L.transpose() * Z.transpose() * P_inverse * Z * L);
+  const VecX e = eigenvalues(product({L.transpose(), Z.transpose(), P_inverse, Z, L}));
   EXPECT_GT(e.minCoeff(), 0.01);
   EXPECT_LT(e.maxCoeff(), 1 + 1e-9);
 }

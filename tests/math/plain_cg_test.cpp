@@ -12,8 +12,8 @@ BlockMatrix with_eigenvalues(const VecX& eigenvalues, Random& random) {
   const int n = int(eigenvalues.size()), vertices = n / 3;
   MatX columns(n, n);
   for (int j = 0; j < n; ++j) columns.col(j) = random.vector(n, 1);
-  const MatX Q = orthonormal(columns);
-  const MatX full = Q * eigenvalues.asDiagonal() * Q.transpose();
+  const MatX Q = eigenpairs(columns + columns.transpose()).vectors;
+  const MatX full = product({Q, eigenvalues.asDiagonal(), Q.transpose()});
   std::vector<std::array<int, 2>> pairs;
   for (int i = 0; i < vertices; ++i)
     for (int j = i + 1; j < vertices; ++j) pairs.push_back({i, j});
@@ -92,7 +92,7 @@ TEST_F(Iterates, AreTheBestThatTheirDirectionsAllow) {
   for (int k = 1; k < 6; ++k) krylov.col(k) = full * krylov.col(k - 1);
   for (int k = 1; k <= 6; ++k) {
     const MatX K = krylov.leftCols(k);
-    const VecX best = K * solve(K.transpose() * full * K, K.transpose() * b);
+    const VecX best = K * solve(product({K.transpose(), full, K}), K.transpose() * b);
     EXPECT_LT(relative(x[size_t(k)], best), 1e-6) << "iterate " << k;
   }
 }

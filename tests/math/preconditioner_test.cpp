@@ -22,7 +22,7 @@ MatX matrix_of(Preconditioner& P, Eigen::Index n) {
 // S A S + I − S: pinned directions stand for themselves.
 MatX closed(const Cloth& cloth, const MatX& A) {
   const MatX S = filter_matrix(cloth);
-  return S * A * S + MatX::Identity(A.rows(), A.cols()) - S;
+  return product({S, A, S}) + MatX::Identity(A.rows(), A.cols()) - S;
 }
 
 bool positive_definite(const MatX& A) {
@@ -52,12 +52,12 @@ TEST_P(Preconditioners, AreSymmetricAndPositiveDefinite) {
 TEST_P(Preconditioners, MapWhatThePinsLeaveFreeOntoItself) {
   const PinnedSheet sheet(152);
   const MatX S = filter_matrix(sheet.cloth), P_inverse = inverse_of(sheet, sheet.step({}));
-  const double leaves = ((MatX::Identity(S.rows(), S.cols()) - S) * P_inverse * S).norm();
+  const double leaves = product({MatX::Identity(S.rows(), S.cols()) - S, P_inverse, S}).norm();
   if (std::string(GetParam()) != "jacobi") {
     EXPECT_LT(leaves, 1e-12 * P_inverse.norm());
   }
-  EXPECT_TRUE(positive_definite(free_directions(sheet.cloth).transpose() * P_inverse *
-                                free_directions(sheet.cloth)));
+  const MatX Z = free_directions(sheet.cloth);
+  EXPECT_TRUE(positive_definite(product({Z.transpose(), P_inverse, Z})));
 }
 
 // Each P⁻¹ is nearer to A⁻¹ than the one before: the eigenvalues of P⁻¹ A lie closer together.
@@ -65,12 +65,12 @@ TEST(AllPreconditioners, LowerTheConditionNumber) {
   const PinnedSheet sheet(153, Diagonals::same, {8, 8});
   const step04::System system = sheet.step({});
   const MatX Z = free_directions(sheet.cloth), A = dense(system.A);
-  const MatX L = cholesky(Z.transpose() * A * Z);
+  const MatX L = cholesky(product({Z.transpose(), A, Z}));
   std::vector<double> condition;
   for (const char* name : all_preconditioners) {
     const auto P = make_preconditioner(name, system.A, sheet.cloth.pins, sheet.cloth.grid);
     P->set(system.A);
-    const MatX PA = L.transpose() * Z.transpose() * matrix_of(*P, A.rows()) * Z * L;
+    const MatX PA = product({L.transpose(), Z.transpose(), matrix_of(*P, A.rows()), Z, L});
     const VecX e = eigenvalues(PA);
     condition.push_back(e.maxCoeff() / e.minCoeff());
     std::printf("%-10s %.1f\n", name, condition.back());

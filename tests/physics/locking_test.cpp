@@ -1,13 +1,12 @@
 // Locking: a mesh whose edges cannot stretch can bend in far fewer ways than it has vertices to move.
 #include <gtest/gtest.h>
-#include <Eigen/QR>
 
 #include "cantilever.h"
 #include "scene/mesh_edges.h"
+#include "support/decompositions.h"
 
 namespace locking_test {
 
-using MatX = Eigen::MatrixXd;
 using Edge = std::array<int, 2>;
 
 std::vector<Edge> edges(const Mesh& mesh) {
@@ -35,9 +34,7 @@ MatX rigidity(const VecX& x, const std::vector<Edge>& edges) {
 }
 
 int rank(const MatX& A) {
-  Eigen::ColPivHouseholderQR<MatX> qr(A);
-  qr.setThreshold(1e-9);
-  return int(qr.rank());
+  return int(range(product({A, A.transpose()})).cols());
 }
 
 // E = 3 V − 3 − B edges of fixed length leave B + 3 of the 3 V coordinates free: a mesh with more inner

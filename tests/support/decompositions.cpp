@@ -2,6 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 
+MatX product(std::initializer_list<MatX> factors) {
+  MatX all = *factors.begin();
+  for (auto factor = factors.begin() + 1; factor < factors.end(); ++factor) all = all * *factor;
+  return all;
+}
+
 Eigenpairs eigenpairs(const MatX& A) {
   const Eigen::SelfAdjointEigenSolver<MatX> solver(A);
   return {solver.eigenvalues(), solver.eigenvectors()};
@@ -27,8 +33,4 @@ MatX inverse(const MatX& A) {
 
 MatX cholesky(const MatX& A) {
   return A.llt().matrixL();
-}
-
-MatX orthonormal(const MatX& square) {
-  return square.householderQr().householderQ();
 }

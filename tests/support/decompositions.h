@@ -1,9 +1,13 @@
-// Eigen's decompositions of dense matrices, compiled once for all tests: every file that
+// Eigen's decompositions and products of dense matrices, compiled once for all tests: every file that
 // instantiates one compiles for seconds longer.
 #pragma once
+#include <initializer_list>
+
 #include "math/types.h"
 
 using MatX = Eigen::MatrixXd;
+
+MatX product(std::initializer_list<MatX> factors);  // product({A, B, C}) is A B C
 
 // Of a symmetric matrix; eigenvalues ascend, column j of `vectors` belongs to number j.
 struct Eigenpairs {
@@ -19,5 +23,4 @@ MatX range(const MatX&);
 
 VecX solve(const MatX& A, const VecX& b);  // x of A x = b, for a symmetric A
 MatX inverse(const MatX&);
-MatX cholesky(const MatX& A);          // the lower L of A = L Lᵀ, for a positive definite A
-MatX orthonormal(const MatX& square);  // the Q of Q R
+MatX cholesky(const MatX& A);  // the lower L of A = L Lᵀ, for a positive definite A

@@ -45,7 +45,7 @@ void add_dense_conditions(const Family& family, const VecX& x, std::vector<Dense
         for (int n = 0; n < int(c.dCdy.size()); ++n)
           Hy.block<3, 3>(3 * (c.first + m), 3 * (c.first + n)) = block[m][n];
       }
-      all.push_back({term, c.convex, c.C, W.transpose() * gy, W.transpose() * Hy * W});
+      all.push_back({term, c.convex, c.C, W.transpose() * gy, product({W.transpose(), Hy, W})});
     });
   }
 }

@@ -19,7 +19,7 @@ VecX prescribed(const Cloth& cloth, const VecX& v) {
 
 VecX reduced_solution(const Cloth& cloth, const MatX& A, const VecX& b, const VecX& z) {
   const MatX Z = free_directions(cloth);
-  return z + Z * solve(Z.transpose() * A * Z, Z.transpose() * (b - A * z));
+  return z + Z * solve(product({Z.transpose(), A, Z}), Z.transpose() * (b - A * z));
 }
 
 PinnedSheet::PinnedSheet(unsigned seed, Diagonals diagonals, const std::array<int, 2>& cells)
