@@ -24,13 +24,14 @@ MatX range(const MatX& A) {
 }
 
 VecX solve(const MatX& A, const VecX& b) {
-  return A.ldlt().solve(b);
+  return A.partialPivLu().solve(b);
 }
 
 MatX inverse(const MatX& A) {
   return A.inverse();
 }
 
-MatX cholesky(const MatX& A) {
-  return A.llt().matrixL();
+MatX root(const MatX& A) {
+  const Eigenpairs pairs = eigenpairs(A);
+  return pairs.vectors * pairs.values.cwiseSqrt().asDiagonal();
 }

@@ -21,6 +21,6 @@ VecX eigenvalues(const MatX&);
 // orthonormal basis of its range.
 MatX range(const MatX&);
 
-VecX solve(const MatX& A, const VecX& b);  // x of A x = b, for a symmetric A
+VecX solve(const MatX& A, const VecX& b);  // x of A x = b
 MatX inverse(const MatX&);
-MatX cholesky(const MatX& A);  // the lower L of A = L Lᵀ, for a positive definite A
+MatX root(const MatX& A);  // an R with A = R Rᵀ, for a positive definite A
