@@ -59,7 +59,9 @@ function(cloth_target target)
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
     -Wno-missing-field-initializers  # members that a braced list leaves out have their defaults
     $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>  # g++'s -Wconversion does not include it either
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # false alarms in std::string of g++ 12
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false alarms in std::string of g++ 12
+    # g++ keeps its garbage below 4 GB: an eighth less time, and a fifth more memory.
+    $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=4000000>)
   target_include_directories(${target} PRIVATE ${LARGE_STEPS_COMMON})
   if(LARGE_STEPS_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
