@@ -96,10 +96,10 @@ class DenseInverse : public DirectSolver {
     const double n = double(free.values.cols()), needed = 4 * 8 * n * n;  // A, LDLᵀ, LU, A⁻¹
     const double memory = physical_memory();
     if (needed > 0.5 * memory)
-      throw std::invalid_argument(
-          text("--solver inverse would need %.3g GB for the dense inverse of %.0f unknowns; half "
-               "of this machine's memory is %.3g GB: use --solver ldlt or fewer cells",
-               needed / 1e9, n, 0.5 * memory / 1e9));
+      throw std::invalid_argument(text(
+          "--solver inverse would need %.3g GB for the dense inverse of %.0f unknowns; half of "
+          "this machine's memory is %.3g GB: use --solver ldlt or fewer cells",
+          needed / 1e9, n, 0.5 * memory / 1e9));
   }
   bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
     free.copy(A);
