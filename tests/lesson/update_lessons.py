@@ -4,8 +4,9 @@
     python3 tests/lesson/update_lessons.py            rewrites the blocks and numbers that changed
     python3 tests/lesson/update_lessons.py --check    prints a diff and exits with 1 if one changed
 
-Three kinds of HTML comments say where a text comes from: console, table and number. Each begins in column 1. The command may go
-on in the next lines, and each further word ("only:", "find:", "as:", "slow") has its own line.
+Three kinds of HTML comments say where a text comes from: console, table and number. Each begins in
+column 1. The command may go on in the next lines, and each further word ("only:", "find:", "as:",
+"slow") has its own line.
 
     <!-- console: build/release/step01_explicit/step01_explicit
          only: h_crit|done -->

@@ -252,7 +252,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, PinTables, testing::ValuesIn(iterative_progra
 // 1e-5 m. The residual of "block" shows less of its error, so "block" gets a smaller tolerance.
 TEST_F(ProgramDirectory, Step04EndsWhereStep03Ends) {
   const auto positions = [&](const std::string& program, const Arguments& more) {
-    Arguments arguments = {"--h", "0.005", "--end", "0.5", "--no-pictures", "--out", "out"};
+    Arguments arguments = {"--h", "0.005", "--no-pictures", "--out", "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     EXPECT_EQ(run(program_called(program), arguments).code, 0);
     return read_obj_vertices(directory / "out/final.obj");

@@ -174,6 +174,8 @@ std::vector<BadInput> bad_inputs() {
     for (const BadInputCase& bad : cases)
       if (program.number() == 5 || std::count(kinds.begin(), kinds.end(), bad.name) == 1)
         all.emplace_back(program, bad);
+  if (all.size() != cases.size() + (programs().size() - 1) * kinds.size())
+    throw std::logic_error("a kind of bad input is not the name of a case");
   return all;
 }
 

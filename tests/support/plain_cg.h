@@ -6,13 +6,13 @@
 inline int conjugate_gradients(const BlockMatrix& A, const VecX& b, double tolerance, VecX& x) {
   VecX q;
   A.multiply(x, q);
-  VecX r = b - q;  // what x leaves of b, and the way downhill
-  VecX p = r;      // the way taken: downhill, but conjugate to the ways before
+  VecX r = b - q;  // the residual of x: the direction downhill
+  VecX p = r;      // the direction of the step: downhill, but conjugate to those before
   int iterations = 0;
   for (; r.norm() > tolerance * b.norm(); ++iterations) {
     A.multiply(p, q);
     const double rr = r.dot(r);
-    const double alpha = rr / p.dot(q);  // how far: to the lowest point along p
+    const double alpha = rr / p.dot(q);  // the step goes to the lowest point along p
     x += alpha * p;
     r -= alpha * q;
     const double beta = r.dot(r) / rr;
