@@ -4,6 +4,7 @@
 //   (M − h D − h² K) Δv = h (f + h K v),   K = ∂f/∂x,  D = ∂f/∂v
 //   v += Δv,         x += h v       backward Euler, linearised once
 #pragma once
+#include "math/drift.h"
 #include "math/energy.h"
 #include "math/method.h"
 #include "math/pattern.h"
@@ -14,20 +15,19 @@ namespace step05 {
 // What a step computes; it lives from step to step, so that none allocates.
 struct System {
   explicit System(const Cloth& cloth, const Method& method_ = {})
-      : method(method_), f(cloth.mass.size()), b(f), dv(f), v(f), K(make_block_matrix(cloth)), A(K),
+      : method(method_), f(cloth.mass.size()), b(f), dv(f), z(f), K(make_block_matrix(cloth)), A(K),
         slots(cloth, K), r(f.size()), c(r), q(r), s(r),
         preconditioner(make_preconditioner(method.preconditioner, A, cloth.pins, cloth.grid)) {
-    if (damped(cloth)) D = K;
+    if (damped(cloth)) D = D_start = K;
   }
 
   Method method;
-  VecX f, b, dv, v, Dv;  // N, N·s, m/s, m/s, N
-  BlockMatrix K, D, A;   // N/m, N·s/m, kg; D is empty without damping
+  VecX f, b, dv, z;              // N, N·s, m/s, m/s
+  BlockMatrix K, D, A, D_start;  // N/m, N·s/m, kg, N·s/m; D is empty without damping
   ClothSlots slots;
   VecX r, c, q, s;                                 // residual, N·s; direction, m/s; A c; P⁻¹ r
   std::unique_ptr<Preconditioner> preconditioner;  // P, near A
-  State start, trial;                              // of a Newton step
-  BlockMatrix D_start;
+  State start, trial{f, VecX::Zero(f.size())};
   Counters counts;
 };
 
@@ -162,70 +162,76 @@ inline void solve(const Cloth& cloth, double h, const VecX& v, System& system) {
   conjugate_gradients(cloth, system);
 }
 
+// E(x0 + h v) + ½ |v − u|²_M: the energy at the end of the step, seen from a frame that moves with u.
+inline double energy(const Cloth& cloth, double h, const VecX& v, const VecX& u, System& system) {
+  system.trial.x = system.start.x + h * v;
+  return potential_energy(cloth, system.trial.x) + kinetic_energy(cloth, v - u);
+}
+
 // Φ(v) = ½ |v − v0|²_M + E(x0 + h v) − h/2 vᵀ D v: backward Euler's v, with D as at x0, minimises it.
 inline double potential(const Cloth& cloth, double h, const VecX& v, System& system) {
-  system.trial.x = system.start.x + h * v;
-  system.D.multiply(v, system.Dv);
-  return 0.5 * (v - system.start.v).cwiseAbs2().dot(cloth.mass) +
-         potential_energy(cloth, system.trial.x) - 0.5 * h * v.dot(system.Dv);
+  return energy(cloth, h, v, system.start.v, system) - 0.5 * h * system.D.form(v);
 }
 
-// The fraction of Δv to take. descent = bᵀΔv is −dΦ/dstep. The step is halved until Φ falls by at least
-// 1e-4 · step · descent (Armijo).
-inline double line_search(const Cloth& cloth, double h, double descent, double Phi, double rounding,
-                          System& system) {
+// v += step Δv. descent = bᵀΔv is −dΦ/dstep. The step is halved until Φ falls by at least
+// 1e-4 · step · descent (Armijo), but for rounding.
+inline void line_search(const Cloth& cloth, double h, double descent, VecX& v, System& system) {
+  const double Phi = potential(cloth, h, v, system), most = Phi + 1e-12 * std::abs(Phi);
   double step = descent < 0 ? -1 : 1;  // downhill, whatever A is
-  if (std::abs(descent) <= rounding) return step;
-  while (std::abs(step) > 1e-12 &&
-         potential(cloth, h, system.v + step * system.dv, system) > Phi - 1e-4 * step * descent)
-    step /= 2;
-  return step;
+  v += step * system.dv;
+  while (std::abs(step) > 1e-12 && potential(cloth, h, v, system) > most - 1e-4 * step * descent)
+    v -= (step /= 2) * system.dv;
 }
 
-// Newton's method on Φ, from v = 0: b = −Φ', and A is Φ'' or its definite part. With --jacobian definite
-// the first iteration is the plain step below. Converged: the Newton decrement bᵀΔv is at most 1e-8 of the
-// first decrement, and so Δv about 1e-4 of the first Δv.
-inline void newton_step(const Cloth& cloth, double h, State& state, System& system) {
-  VecX &v = system.v, &b = system.b;
-  system.start = state;
-  system.trial.x = state.x;
-  system.trial.v = v.setZero();    // at rest: the damping force is D v
-  prescribe(cloth, v, system.dv);  // but where pins move
-  v += system.dv;
-  system.trial.x += h * v;
-  double first = 0;
+// Newton's method on Φ, from standing still: b = −Φ', and A is Φ'' or its definite part. Converged: the
+// Newton decrement bᵀΔv is at most 1e-8 of the first one, and so Δv about 1e-4 of the first Δv.
+inline void newton_step(const Cloth& cloth, double h, int iterations, State& state,
+                        System& system) {
+  VecX &v = state.v, &v0 = system.start.v;
+  v = system.z;
+  double enough = 1e-20 * std::abs(energy(cloth, h, v, v0, system));
   bool converged = false;
-  for (int iteration = 0; iteration < system.method.newton && !converged; ++iteration) {
+  for (int iteration = 0; iteration < iterations && !converged; ++iteration) {
+    system.trial.x = system.start.x + h * v;
     forces(cloth, system.trial, system);
     if (iteration == 0) system.D_start = system.D;
     system.D = system.D_start;
-    system.D.multiply(v, system.Dv);
-    b = cloth.mass.cwiseProduct(system.start.v - v) + h * (system.f + system.Dv);
+    system.b = cloth.mass.cwiseProduct(v0 - v) + h * system.f;
+    system.D.add_product(h, v, system.b);
     solve(cloth, h, v, system);
 
-    const double decrement = b.dot(system.dv), Phi = potential(cloth, h, v, system);
-    const double rounding =
-        1e-12 * (std::abs(Phi) + 0.5 * system.start.v.cwiseAbs2().dot(cloth.mass));
-    if (iteration == 0) first = std::abs(decrement);
-    v += line_search(cloth, h, decrement, Phi, rounding, system) * system.dv;
-    system.trial.x = system.start.x + h * v;
-    converged = std::abs(decrement) <= 1e-8 * (first + rounding);
+    const double decrement = system.b.dot(system.dv);
+    if (iteration == 0) enough += 1e-8 * std::abs(decrement);
+    line_search(cloth, h, decrement, v, system);
+    converged = std::abs(decrement) <= enough;
   }
   if (!converged) ++system.counts.unconverged;
-  state.x = system.trial.x;
-  state.v = v;
+  state.x = system.start.x + h * v;
+}
+
+// The guard: true if v leaves the cloth with more energy than standing still, v = z, would leave it.
+inline bool gains_energy(const Cloth& cloth, double h, const VecX& v, System& system) {
+  const double moved = energy(cloth, h, v, system.z, system);
+  const double still = energy(cloth, h, system.z, system.start.v, system);
+  return moved - still > 1e-12 * (std::abs(moved) + std::abs(still));
 }
 
 // A fold and the same fold after a full turn look alike. The hinge stores θ, so that the two differ.
 inline void time_step(Cloth& cloth, double h, State& state, System& system) {
   follow(cloth.hinges.elements, state.x);
-  if (system.method.newton > 1) return newton_step(cloth, h, state, system);
+  system.start = state;
+  stand_still(cloth, state.v, system.z);
+  if (system.method.newton > 1) return newton_step(cloth, h, system.method.newton, state, system);
   forces(cloth, state, system);
   system.K.multiply(state.v, system.b);
   system.b = h * (system.f + h * system.b);
   solve(cloth, h, state.v, system);
   state.v += system.dv;
   state.x += h * state.v;
+  if (system.method.guarded() && gains_energy(cloth, h, state.v, system)) {
+    ++system.counts.redone;
+    newton_step(cloth, h, 5, state, system);
+  }
 }
 
 }  // namespace step05

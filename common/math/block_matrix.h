@@ -49,6 +49,30 @@ class BlockMatrix {
     }
   }
 
+  // y += factor A p. Nothing if A is empty.
+  void add_product(double factor, const VecX& p, VecX& y) const {
+    for (int i = 0; i < rows(); ++i) {
+      const Vec3 p_i = factor * p.segment<3>(3 * i);
+      y.segment<3>(3 * i) += diagonal[i] * p_i;
+      for (int s = row_start[i]; s < row_start[i + 1]; ++s) {
+        const int j = 3 * column[s];
+        y.segment<3>(3 * i) += factor * (upper[s] * p.segment<3>(j));
+        y.segment<3>(j) += upper[s].transpose() * p_i;
+      }
+    }
+  }
+  // pᵀ A p. Zero if A is empty.
+  double form(const VecX& p) const {
+    double sum = 0;
+    for (int i = 0; i < rows(); ++i) {
+      Vec3 Ap = diagonal[i] * p.segment<3>(3 * i);
+      for (int s = row_start[i]; s < row_start[i + 1]; ++s)
+        Ap += 2 * (upper[s] * p.segment<3>(3 * column[s]));
+      sum += Ap.dot(p.segment<3>(3 * i));
+    }
+    return sum;
+  }
+
   // The place of block (i, j) in `upper`, i < j: a search, for use before the first step.
   int slot(int i, int j) const {
     const auto first = column.begin() + row_start[i], last = column.begin() + row_start[i + 1];

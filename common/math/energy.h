@@ -40,3 +40,9 @@ inline double potential_energy(const Cloth& cloth, const VecX& x) {
       cloth, [&](const auto& family) { add_elastic_energy(family, family.elements, x, energy); });
   return energy;
 }
+
+// ½ |v|²_M, J.
+template <class Velocities>
+double kinetic_energy(const Cloth& cloth, const Velocities& v) {
+  return 0.5 * v.cwiseAbs2().dot(cloth.mass);
+}

@@ -16,9 +16,13 @@ inline const std::vector<std::string> preconditioner_names = {"none", "jacobi", 
 struct Method {
   Jacobian jacobian = Jacobian::definite;
   int newton = 1;               // Newton iterations per step at most; 1 is the plain step
+  bool guard = true;            // a plain step that gains energy is taken again by Newton's method
   std::string solver = "ldlt";  // one of solver_names
 
   std::string preconditioner = "block";  // one of preconditioner_names
   double tolerance = 1e-4;               // of conjugate gradients: √(rᵀ P⁻¹ r) / |Δv|_M
   int max_iterations = 10000;            // in one system
+
+  // The printed matrix is there to show how it fails.
+  bool guarded() const { return guard && jacobian == Jacobian::definite; }
 };

@@ -37,7 +37,7 @@ double Energies::elastic() const {
 
 Energies energies(const Cloth& cloth, const State& state) {
   Energies e;
-  e.kinetic = 0.5 * state.v.cwiseAbs2().dot(cloth.mass);
+  e.kinetic = kinetic_energy(cloth, state.v);
   e.gravitational = gravitational_energy(cloth, state.x);
   e.by_term = elastic_energies(cloth, state.x);
   return e;

@@ -91,6 +91,11 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
                    "largest number of Newton iterations per step; 1 if absent")
         ->check(positive_integer)
         ->option_text("N");
+    app.add_option("--guard", options.method.guard,
+                   "take a step that gains energy again by Newton's method; on if absent")
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, bool>{{"on", true}, {"off", false}}))
+        ->option_text("on|off");
   }
   if (program.concepts.direct)
     app.add_option("--solver", options.method.solver,

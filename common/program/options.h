@@ -11,7 +11,7 @@
 
 // The concepts that a step has; each brings its options.
 struct Concepts {
-  bool implicit = false;   // --jacobian, --newton
+  bool implicit = false;   // --jacobian, --newton, --guard
   bool direct = false;     // --solver
   bool iterative = false;  // --preconditioner, --tolerance, --max-iterations
 };

@@ -13,6 +13,7 @@ std::string other_method(const Options& options) {
   const Method& method = options.method;
   if (!options.concepts.implicit) return "";
   if (method.jacobian == Jacobian::bw98) return "--jacobian definite, or ";
+  if (!method.guard && method.newton == 1) return "--guard on, or ";
   if (method.newton == 1) return "--newton 20, or ";
   return options.concepts.iterative ? "a smaller --tolerance, or " : "";
 }
@@ -68,6 +69,7 @@ void Report::end(const RunTotals& run, const Watch& watch, const State& state,
       1000 * run.seconds / double(std::max(run.steps, 1L)), watch.most_stretch, watch.start.total(),
       energies(scene.cloth, state).total());
   iterations(run);
+  redone(run);
   warnings(run, watch);
   std::printf("  see %s\n", (options.out / (options.pictures ? "film.png" : "log.csv")).c_str());
   if (interrupted)
@@ -81,6 +83,18 @@ void Report::iterations(const RunTotals& run) const {
               double(run.counts.iterations) / double(std::max(run.steps, 1L)),
               options.method.newton == 1 ? "system" : "step", options.method.preconditioner.c_str(),
               options.method.tolerance);
+}
+
+// One linear system per step is not enough where h is long. It is the wrong method where hardly any step
+// gets by with one.
+void Report::redone(const RunTotals& run) const {
+  const long redone = run.counts.redone;
+  if (redone == 0) return;
+  std::printf(
+      "  took %ld of %ld steps again, by Newton's method: one linear system gained energy\n",
+      redone, run.steps);
+  if (2 * redone > run.steps)
+    warn("most steps were taken again: the cloth may hardly move; try a smaller h");
 }
 
 // Counts that do not end a run but make its result doubtful.
@@ -103,6 +117,6 @@ void Report::warnings(const RunTotals& run, const Watch& watch) const {
          " in " + count(counts.capped, "system") +
          ": the cloth moves as if it were stiffer; raise --max-iterations or take another "
          "--preconditioner");
-  if (counts.unconverged > 0)
+  if (counts.unconverged > 0 && options.method.newton > 1)
     warn("Newton did not converge in " + count(counts.unconverged, "step"));
 }

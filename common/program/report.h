@@ -25,6 +25,7 @@ class Report {
  private:
   std::string advice(const RunTotals&) const;
   void iterations(const RunTotals&) const;
+  void redone(const RunTotals&) const;
   void warnings(const RunTotals&, const Watch&) const;
 
   const Options& options;

@@ -72,6 +72,7 @@ LogRow log_row(int frame, double time, const Sample& sample, const Counters& cou
   row.emplace_back("indefinite", counts.indefinite);
   row.emplace_back("capped", counts.capped);
   row.emplace_back("gained", gained);
+  row.emplace_back("redone", counts.redone);
   row.emplace_back("unconverged", counts.unconverged);
   row.emplace_back("milliseconds", 1000 * seconds);
   return row;

@@ -41,10 +41,12 @@ TEST(NewtonToTheEnd, AVertexAtAKilometrePerSecondNeverGainsEnergy) {
   expect_no_rise(shot);
 }
 
-// One full iteration, without a line search, gains energy if the step is long. Measured: 6e2 J.
+// One linear system gains energy if the step is long. Measured: 6e2 J. The guard takes such steps again,
+// with five iterations at most.
 TEST(NewtonToTheEnd, RemovesTheEnergyThatASingleIterationGains) {
-  EXPECT_GT(watch(dropped(1e3), 0.1, 30).gain, 10);
-  EXPECT_LT(watch(dropped(1e3), 0.1, 30, {Jacobian::definite, 50}).gain, 0);
+  EXPECT_GT(watch(dropped(1e3), 0.1, 30, {.guard = false}).gain, 10);
+  EXPECT_LT(watch(dropped(1e3), 0.1, 30).gain, 0);
+  EXPECT_LT(watch(dropped(1e3), 0.1, 30, {.newton = 50}).gain, 0);
 }
 
 }  // namespace extremes::newton_test

@@ -61,9 +61,6 @@ Verdict judge(const Cell& cell, MapScene kind) {
 }  // namespace
 
 const std::vector<MapWay>& map_ways() {
-  const auto newton = [](Jacobian jacobian, int iterations) {
-    return Method{.jacobian = jacobian, .newton = iterations};
-  };
   const auto cg = [](const char* preconditioner) {
     return Method{.preconditioner = preconditioner, .max_iterations = 1000};
   };
@@ -73,22 +70,24 @@ const std::vector<MapWay>& map_ways() {
       {"step03_bw98",
        "Step 3: implicit, the printed matrix",
        "explodes at long steps, and freezes",
-       {3, newton(Jacobian::bw98, 1)}},
-      {"step03",
-       "Step 3: the definite matrix",
+       {3, {.jacobian = Jacobian::bw98}}},
+      {"step03_bare",
+       "Step 3: the definite matrix alone",
        "holds together, but gains energy",
-       {3, newton(Jacobian::definite, 1)}},
+       {3, {.guard = false}}},
+      {"step03", "Step 3: … and the guard", "stable everywhere", {3}},
       {"step03_newton",
        "Step 3: up to 20 Newton iterations",
        "stable everywhere",
-       {3, newton(Jacobian::definite, 20)}},
+       {3, {.newton = 20}},
+       false},
       {"step04_block",
        "Step 4: conjugate gradients, blocks",
-       "as if solved exactly, until they give up",
+       "stable everywhere",
        {4, cg("block")}},
       {"step04_multigrid",
        "Step 4: conjugate gradients, multigrid",
-       "nearly as if solved exactly",
+       "stable everywhere",
        {4, cg("multigrid")}},
       {"step05", "Step 5: bending", "0.01 N·m: much as without", {5, cg("multigrid")}}};
   return all;
@@ -117,6 +116,7 @@ Cell watch_cell(const MapWay& map, MapScene kind, double h, double k, const Watc
   }
   cell.indefinite = simulator->counts().indefinite;
   cell.capped = simulator->counts().capped;
+  cell.redone = simulator->counts().redone;
   cell.verdict = judge(cell, kind);
   return cell;
 }

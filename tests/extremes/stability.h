@@ -32,9 +32,11 @@ struct MapWay {
   const char* name;             // in files and on the terminal
   const char *title, *finding;  // in pictures: the name of the map, and its result
   Configuration configuration;
+  bool drawn = true;  // in the picture
 };
-// One map for each step. Step 3 has three: with the printed matrix, with the definite matrix, and
-// with up to 20 Newton iterations. Step 4 has two: with block Jacobi and with multigrid.
+// One map for each step. Step 3 has four: with the printed matrix, with the definite matrix alone, with
+// the guard, as it is by default, and with up to 20 Newton iterations. Step 4 has two: with block Jacobi
+// and with multigrid.
 const std::vector<MapWay>& map_ways();
 
 // Two scenes. The drop: a flat square metre of cells × cells with k_shear = k falls, held by two
@@ -63,7 +65,7 @@ struct Cell {
   double stretch = 0, last = 0;  // the largest in all steps, and after the last step
   double height = 0;             // m, the largest; for the strip
   int steps = 0;
-  long indefinite = 0, capped = 0;
+  long indefinite = 0, capped = 0, redone = 0;
 };
 Cell watch_cell(const MapWay&, MapScene, double h, double k, const Watch&);
 

@@ -70,14 +70,14 @@ struct Job {
   }
   std::string row(const Cell& c) const {
     char text[200];
-    std::snprintf(text, sizeof text, "%s,%.4g,%.5g,%.5g,%.4g,%d,%.4g,%ld,%ld", name(c.verdict),
-                  c.gain, c.stretch, c.last, c.height, c.steps, c.steps * h, c.indefinite,
-                  c.capped);
+    std::snprintf(text, sizeof text, "%s,%.4g,%.5g,%.5g,%.4g,%d,%.4g,%ld,%ld,%ld", name(c.verdict),
+                  c.gain, c.stretch, c.last, c.height, c.steps, c.steps * h, c.indefinite, c.capped,
+                  c.redone);
     return key() + text;
   }
 };
 const char* const columns =
-    "map,scene,h,k,verdict,gain,stretch,last,height,steps,watched,indefinite,capped";
+    "map,scene,h,k,verdict,gain,stretch,last,height,steps,watched,indefinite,capped,redone";
 
 std::vector<Job> all_jobs(const Study& study) {
   std::vector<Job> jobs;
@@ -282,10 +282,12 @@ set xtics ("10 µs" -5, "0.1 ms" -4, "1 ms" -3, "10 ms" -2, "0.1 s" -1, "1 s" 0)
 set title offset 0,-0.6
 set multiplot
 )";
-  const std::array<std::array<int, 2>, 8> places = {
-      {{0, 0}, {0, 1}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {2, 2}}};
-  for (size_t i = 0; i < places.size(); ++i)
-    gp << panel(study, map_ways()[i], places[i][0], places[i][1]);
+  int place = 0;
+  for (const MapWay& map : map_ways()) {
+    if (!map.drawn) continue;
+    gp << panel(study, map, place / 3, place % 3);
+    if (++place == 2) ++place;  // the legend stands there
+  }
   gp << legend(study) << "unset multiplot\n";
   return gp.str();
 }

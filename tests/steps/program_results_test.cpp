@@ -74,7 +74,7 @@ TEST_P(ProgramTest, LogsARowPerFrameAndLeavesTheLastState) {
 
   std::string columns = "frame,time,kinetic,elastic,gravitational,total,max_stretch,lowest,";
   columns += GetParam().number() < 5 ? "stretch,shear" : "stretch,shear,bend";
-  columns += ",iterations,indefinite,capped,gained,unconverged,milliseconds";
+  columns += ",iterations,indefinite,capped,gained,redone,unconverged,milliseconds";
   EXPECT_EQ(lines_of(read_all(directory / "out/log.csv"))[0], columns);
 
   const Table log = read_table(directory / "out/log.csv");

@@ -41,14 +41,24 @@ struct CountedMatrix : BlockMatrix {
     BlockMatrix::add(factor, B);
   }
   void multiply(const VecX& p, VecX& Ap) const {
-    if (!empty()) {
-      ++counting->products;
-      counting->bytes += stored() + long(sizeof(int) * column.size()) + 3 * vector();
-    }
+    count_product(3);
     BlockMatrix::multiply(p, Ap);
+  }
+  void add_product(double factor, const VecX& p, VecX& y) const {
+    count_product(3);
+    BlockMatrix::add_product(factor, p, y);
+  }
+  double form(const VecX& p) const {
+    count_product(1);
+    return BlockMatrix::form(p);
   }
 
  private:
+  void count_product(int vectors) const {
+    if (empty()) return;
+    ++counting->products;
+    counting->bytes += stored() + long(sizeof(int) * column.size()) + vectors * vector();
+  }
   long stored() const { return long(sizeof(Mat3) * (diagonal.size() + upper.size())); }
   long vector() const { return long(sizeof(Vec3) * diagonal.size()); }
 };

@@ -81,6 +81,7 @@ class Implicit : public Simulator {
     Counts all = counted;
     all.forces = counted.assemblies;
     all.indefinite = system.counts.indefinite;
+    all.redone = system.counts.redone;
     all.unconverged = system.counts.unconverged;
     all.iterations = system.counts.iterations;
     all.capped = system.counts.capped;

@@ -20,7 +20,7 @@ inline const char* program_of(int step) {
 // The cost of a simulation so far, in counts that are the same on every machine.
 struct Counts {
   long forces = 0;    // evaluations of all forces; in steps 3 to 5 their derivatives come with them
-  long energies = 0;  // evaluations of the potential energy, by Newton's line search
+  long energies = 0;  // evaluations of the potential energy, by the guard and Newton's line search
   long assemblies = 0;  // systems A Δv = b set up
   long products = 0;    // of A, K or D and a vector
   // Bytes read and written: elements, vectors and matrices, every array once in every pass
@@ -31,6 +31,7 @@ struct Counts {
   long iterations = 0;   // of conjugate gradients
   long indefinite = 0;   // systems that were not positive definite
   long capped = 0;       // systems in which conjugate gradients reached the iteration limit
+  long redone = 0;       // plain steps taken again because they gained energy
   long unconverged = 0;  // steps in which Newton's method did not converge
 };
 
