@@ -23,9 +23,9 @@ struct Sum {
 };
 
 // How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
-template <int M, int Y>
-void act(const Term& term, const Condition<M>& c, Sum<Y>& sum) {
-  for (int m = 0; m < M; ++m) sum.f[c.first + m] -= term.k * c.C * c.dCdy[m];
+template <class Condition, int Y>
+void act(const Term& term, const Condition& c, Sum<Y>& sum) {
+  for (int m = 0; m < c.M; ++m) sum.f[c.first + m] -= term.k * c.C * c.dCdy[m];
 }
 
 // One family of elements: gather y, let its conditions act there, and scatter to the vertices.

@@ -24,12 +24,13 @@ struct Sum {
 
 // How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
 // and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
-template <int M, class Rates, int Y>
-void act(const Term& term, const Condition<M>& c, const Rates& ydot, Sum<Y>& sum) {
+template <class Condition, class Rates, int Y>
+void act(const Term& term, const Condition& c, const Rates& ydot, Sum<Y>& sum) {
   double Cdot = 0;
   if (term.kd > 0)
-    for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
-  for (int m = 0; m < M; ++m) sum.f[c.first + m] -= (term.k * c.C + term.kd * Cdot) * c.dCdy[m];
+    for (int m = 0; m < c.M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
+  const double load = term.k * c.C + term.kd * Cdot;
+  for (int m = 0; m < c.M; ++m) sum.f[c.first + m] -= load * c.dCdy[m];
 }
 
 // One family of elements: gather y, let its conditions act there, and scatter to the vertices.

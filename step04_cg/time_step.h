@@ -4,11 +4,11 @@
 //   (M − h D − h² K) Δv = h (f + h K v),   K = ∂f/∂x,  D = ∂f/∂v
 //   v += Δv,         x += h v       backward Euler, linearised once
 #pragma once
-#include "math/drift.h"
 #include "math/energy.h"
 #include "math/method.h"
 #include "math/pattern.h"
 #include "math/preconditioner.h"
+#include "math/tension.h"
 
 namespace step04 {
 
@@ -38,27 +38,27 @@ template <int Y>
 struct Sum {
   Vecs<Y> f = zero_vectors<Y>();
   Mats<Y> K = zero_matrices<Y>(), D = K;
+  Tension<Y> T;
 };
 
 // How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
 // and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
 // Their derivatives:     K = −k ∂C/∂y ∂C/∂yᵀ − (k C + kd Ċ) ∂²C/∂y²,  D = −kd ∂C/∂y ∂C/∂yᵀ
-// With --jacobian definite, K keeps only max(k C, 0) ∂²C/∂y² of convex C. Then A is positive definite.
+// With --jacobian definite, K keeps of ∂²C/∂y² only the tension T of the element: A is positive definite.
 template <class Condition, class Rates, int Y>
 void act(const Term& term, const Condition& c, Jacobian jacobian, const Rates& ydot, Sum<Y>& sum) {
-  constexpr int M = Condition::M;
   double Cdot = 0;
   if (term.kd > 0)
-    for (int m = 0; m < M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
-  for (int m = 0; m < M; ++m) sum.f[c.first + m] -= (term.k * c.C + term.kd * Cdot) * c.dCdy[m];
+    for (int m = 0; m < c.M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
+  const double load = term.k * c.C + term.kd * Cdot;
+  for (int m = 0; m < c.M; ++m) sum.f[c.first + m] -= load * c.dCdy[m];
 
-  double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
-  if (jacobian == Jacobian::bw98) kept = term.k * c.C + term.kd * Cdot;
-  const Mats<M> d2Cdy2 = kept != 0 ? c.second() : zero_matrices<M>();
-  for (int m = 0; m < M; ++m)
-    for (int n = 0; n < M; ++n) {
+  sum.T.add(term.k * c.C, c);
+  const auto d2Cdy2 = jacobian == Jacobian::bw98 ? c.second() : zero_matrices<Condition::M>();
+  for (int m = 0; m < c.M; ++m)
+    for (int n = 0; n < c.M; ++n) {
       const Mat3 ggT = c.dCdy[m] * c.dCdy[n].transpose();
-      sum.K[c.first + m][c.first + n] -= term.k * ggT + kept * d2Cdy2[m][n];
+      sum.K[c.first + m][c.first + n] -= term.k * ggT + load * d2Cdy2[m][n];
       sum.D[c.first + m][c.first + n] -= term.kd * ggT;
     }
 }
@@ -73,6 +73,7 @@ void add_family(const Family& family, const State& state, System& system) {
     family.conditions(element, y, [&](const Term& term, const auto& condition) {
       act(term, condition, system.method.jacobian, ydot, sum);
     });
+    if (system.method.jacobian == Jacobian::definite) sum.T.subtract_from(sum.K, y);
     scatter(element, sum.f, system.f);
     scatter(element, sum.K, *slot, system.K);
     if (!system.D.empty()) scatter(element, sum.D, *slot, system.D);

@@ -23,16 +23,19 @@
 //
 //   Mats<M> second() const      M × M blocks ∂²C/∂y_m∂y_n
 //
-// a function of its own, because explicit steps never need it. The second derivative of a convex
-// condition is positive semidefinite wherever y is.
+// a function of its own, because only --jacobian bw98 needs it, and, on a triangle or a spring,
+//
+//   Square<M> across() const    M × M numbers nᵀ ∂²C/∂y_m∂y_n n, where the unit vector n is
+//                               perpendicular to every y of the element; see math/tension.h
 template <int M_>
 struct Condition {
   static constexpr int M = M_;
-  static constexpr bool convex = false;
 
   double C;
   Vecs<M> dCdy;
   int first = 0;
+
+  Square<M> across() const { return Square<M>::Zero(); }  // of a linear condition
 };
 
 // The stiffness and the damping of conditions: E = k/2 C², d = −kd Ċ ∂C/∂x. TermInfo::units has their units.

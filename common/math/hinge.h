@@ -46,7 +46,7 @@ struct Angle {
   Vecs<4> gradient;
 };
 
-// Bend (Baraff & Witkin):  C = θ − θ0.  Not convex.
+// Bend (Baraff & Witkin):  C = θ − θ0
 struct Dihedral : Condition<4> {
   Dihedral(const Hinge& hinge, const Vecs<4>& p) : theta(hinge, p) {
     C = theta.value - hinge.rest_angle;

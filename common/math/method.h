@@ -6,7 +6,7 @@
 #include "math/counters.h"
 
 // Which part of (k C + kd Ċ) ∂²C/∂x² stands in the matrix: all of it, as Baraff & Witkin print it, or
-// only what keeps the matrix positive definite, max(k C, 0) ∂²C/∂x² of convex conditions.
+// only the tension across each element (math/tension.h), which keeps the matrix positive definite.
 enum class Jacobian { definite, bw98 };
 
 inline const std::vector<std::string> solver_names = {"ldlt", "inverse", "cholmod"};

@@ -49,8 +49,6 @@ inline QuadraticHinge make_quadratic_hinge(const std::array<int, 4>& vertices,
 
 // One of three conditions:  C = √(3/(A0 + A1)) y along an axis. It is linear, so ∂²C/∂y² = 0.
 struct Flatness : Condition<1> {
-  static constexpr bool convex = true;
-
   Flatness(const QuadraticHinge& hinge, const Vecs<1>& y, int axis) {
     dCdy = {hinge.sqrt_weight * Vec3::Unit(axis)};
     C = dCdy[0].dot(y[0]);

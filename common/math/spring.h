@@ -20,8 +20,6 @@ inline Spring make_spring(int i, int j, double rest_length, double share = 1) {
 
 //   C = √s (|y| − L),   ∂C/∂y = √s n,   n = y/|y|,   E = s k/2 (|y| − L)²
 struct Elongation : Condition<1> {
-  static constexpr bool convex = true;
-
   Elongation(const Spring& s, const Vec3& y) : sqrt_share(s.sqrt_share), length(y) {
     C = sqrt_share * (length.value - s.rest_length);
     dCdy = {sqrt_share * length.n};
@@ -29,6 +27,7 @@ struct Elongation : Condition<1> {
 
   // ∂²C/∂y² = √s (I − n nᵀ)/|y|
   Mats<1> second() const { return {{{sqrt_share * length.second_derivative()}}}; }
+  Square<1> across() const { return Square<1>(sqrt_share / length.value); }
 
   double sqrt_share;
   Length length;

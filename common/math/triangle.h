@@ -35,8 +35,6 @@ inline Triangle make_triangle(const Face& vertices, const Vec2& uv0, const Vec2&
 // BW98 weighs by the area a. With √a the energy k/2 C² is proportional to the area, so that k is
 // the stiffness of the cloth in N/m and means the same on every mesh.
 struct Stretch : Condition<1> {
-  static constexpr bool convex = true;
-
   Stretch(const Triangle& t, const Vecs<2>& w, int m, double b = 1)
       : sqrt_area(t.sqrt_area), length(w[m]) {
     C = sqrt_area * (length.value - b);
@@ -46,6 +44,7 @@ struct Stretch : Condition<1> {
 
   // ∂²C/∂w² = √a (I − n nᵀ)/|w|: only turning the thread changes n, and the shorter it is the more.
   Mats<1> second() const { return {{{sqrt_area * length.second_derivative()}}}; }
+  Square<1> across() const { return Square<1>(sqrt_area / length.value); }
 
   double sqrt_area;
   Length length;
@@ -60,11 +59,12 @@ struct Shear : Condition<2> {
     dCdy = {sqrt_area * w[1], sqrt_area * w[0]};
   }
 
-  // ∂²C/∂w_u∂w_v = √a I; it has the eigenvalues ±√a, so shear is not convex.
+  // ∂²C/∂w_u∂w_v = √a I, with the eigenvalues ±√a: whatever the sign of C is, half of it is negative.
   Mats<2> second() const {
     const Mat3 O = Mat3::Zero(), I = sqrt_area * Mat3::Identity();
     return {{{O, I}, {I, O}}};
   }
+  Square<2> across() const { return sqrt_area * (Square<2>() << 0, 1, 1, 0).finished(); }
 
   double sqrt_area;
 };

@@ -14,6 +14,9 @@ template <int M>
 using Mats = std::array<std::array<Mat3, M>, M>;  // M × M blocks of a matrix on them
 
 template <int M>
+using Square = Eigen::Matrix<double, M, M>;  // M × M numbers
+
+template <int M>
 Vecs<M> zero_vectors() {
   Vecs<M> zero;
   zero.fill(Vec3::Zero());

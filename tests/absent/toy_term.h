@@ -4,8 +4,6 @@
 
 //   C = √a (½ |w_u|² + ½ |w_v|² − 1),   ∂C/∂w = √a w
 struct ToyDilation : Condition<2> {
-  static constexpr bool convex = true;
-
   ToyDilation(const Triangle& t, const Vecs<2>& w) : sqrt_area(t.sqrt_area) {
     C = sqrt_area * (0.5 * w[0].squaredNorm() + 0.5 * w[1].squaredNorm() - 1);
     dCdy = {sqrt_area * w[0], sqrt_area * w[1]};
@@ -14,6 +12,7 @@ struct ToyDilation : Condition<2> {
     const Mat3 O = Mat3::Zero(), I = sqrt_area * Mat3::Identity();
     return {{{I, O}, {O, I}}};
   }
+  Square<2> across() const { return sqrt_area * Square<2>::Identity(); }
 
   double sqrt_area;
 };

@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 
 #include "math/cloth.h"
+#include "math/tension.h"
 
 using Sparse = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -22,11 +23,12 @@ inline double weight(const Hinge&, int m, int i) {
 template <class Family, class Add>
 void family_blocks(const Family& family, const State& state, VecX& f, const Add& add) {
   constexpr int N = Family::N;
-  for (const auto& e : family.elements)
-    family.conditions(e, gather(e, state.x), [&](const Term& term, const auto& c) {
+  for (const auto& e : family.elements) {
+    const auto y = gather(e, state.x);
+    Tension<Family::Y> tension;
+    family.conditions(e, y, [&](const Term& term, const auto& c) {
       constexpr int M = std::decay_t<decltype(c)>::M;
-      const double kept = c.convex ? std::max(term.k * c.C, 0.0) : 0;
-      const Mats<M> H = kept != 0 ? c.second() : zero_matrices<M>();
+      tension.add(term.k * c.C, c);
       Vecs<N> g = zero_vectors<N>();
       double Cdot = 0;
       for (int i = 0; i < N; ++i) {
@@ -37,16 +39,22 @@ void family_blocks(const Family& family, const State& state, VecX& f, const Add&
         f.segment<3>(3 * e.vertices[size_t(i)]) -= (term.k * c.C + term.kd * Cdot) * g[size_t(i)];
         for (int j = 0; j < N; ++j) {
           const Mat3 ggT = g[size_t(i)] * g[size_t(j)].transpose();
-          Mat3 K = -term.k * ggT;
-          if (kept != 0)
-            for (int m = 0; m < M; ++m)
-              for (int n = 0; n < M; ++n)
-                K -= kept * weight(e, c.first + m, i) * weight(e, c.first + n, j) *
-                     H[size_t(m)][size_t(n)];
-          add(e.vertices[size_t(i)], e.vertices[size_t(j)], K, Mat3(-term.kd * ggT));
+          add(e.vertices[size_t(i)], e.vertices[size_t(j)], Mat3(-term.k * ggT),
+              Mat3(-term.kd * ggT));
         }
       }
     });
+    Mats<Family::Y> K = zero_matrices<Family::Y>();
+    tension.subtract_from(K, y);
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j < N; ++j) {
+        Mat3 K_ij = Mat3::Zero();
+        for (int m = 0; m < Family::Y; ++m)
+          for (int n = 0; n < Family::Y; ++n)
+            K_ij += weight(e, m, i) * weight(e, n, j) * K[size_t(m)][size_t(n)];
+        add(e.vertices[size_t(i)], e.vertices[size_t(j)], K_ij, Mat3(Mat3::Zero()));
+      }
+  }
 }
 
 template <class Add>

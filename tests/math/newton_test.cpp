@@ -170,7 +170,7 @@ double exponent(const std::vector<double>& e) {
 
 // Without damping the printed matrix is the full second derivative of Φ. Where that is positive
 // definite, here in a sheet that its edges hold stretched, Newton's method converges quadratically;
-// With the definite matrix, which leaves out a part of shear, it converges linearly.
+// With the definite matrix, which leaves out what acts in the plane, it converges linearly.
 TEST_F(Newton, ConvergesQuadraticallyWithTheFullSecondDerivative) {
   for (int i = 0; i < mesh.vertices(); ++i)  // by all edges, stretched by 10 %
     if (i < 6 || i >= 30 || i % 6 == 0 || i % 6 == 5) model.pins.push_back(i);

@@ -13,13 +13,16 @@ MatX dense(const BlockMatrix&);
 
 struct DenseCondition {
   Term term;
-  bool convex;
   double C;
   VecX g;
   MatX H;
 };
 
 std::vector<DenseCondition> dense_conditions(const Cloth&, const VecX& x);
+
+// What the definite matrix keeps of Σ k C H, by eigenvectors: of every triangle and spring the positive part
+// of its tension T_mn = nᵀ S_mn n, for every direction n across it.
+MatX dense_tension(const Cloth&, const VecX& x);
 
 // A square metre with stretch, shear, two springs across and damping in all of them.
 Cloth rich_cloth(const Mesh&);

@@ -1,0 +1,61 @@
+// Tension: what the definite matrix keeps of S = Σ k C ∂²C/∂y², the sum over the conditions of an element.
+//
+//   T_mn = nᵀ S_mn n            where the unit vector n points across the element: it is perpendicular
+//                               to every y
+//   −K   = Σ k ∂C/∂y ∂C/∂yᵀ + T₊ ⊗ P,   P = Σ n nᵀ over the directions across the element
+//
+// T₊ is T without its negative eigenvalues. Both terms are never negative, and so A = M − h D − h² K is
+// positive definite. A cloth under tension resists whatever pushes it out of its plane. Under pressure it
+// buckles, and the matrix lets it.
+//
+// For a triangle T is its stress (the second Piola–Kirchhoff stress times the area, J), and P = n nᵀ with
+// its normal n. For a spring T is its tension divided by its length, N/m, and P = I − n nᵀ with its
+// direction n. The vertices of a hinge leave no direction across: nothing is kept.
+#pragma once
+#include "math/condition.h"
+
+inline Mat3 across(const Vecs<1>& y) {
+  const Vec3 n = y[0].stableNormalized();
+  return Mat3::Identity() - n * n.transpose();
+}
+inline Mat3 across(const Vecs<2>& w) {
+  const Vec3 n = Length(w[0].cross(w[1])).n;  // zero where the triangle is a line
+  return n * n.transpose();
+}
+
+inline Square<1> positive_part(const Square<1>& T) {
+  return T.cwiseMax(0);
+}
+// With the eigenvalues mean ± r:   T₊ = p I + q (T − mean I)
+inline Square<2> positive_part(const Square<2>& T) {
+  const double mean = (T(0, 0) + T(1, 1)) / 2, half = (T(0, 0) - T(1, 1)) / 2;
+  const double r = std::sqrt(half * half + T(0, 1) * T(0, 1));
+  const double high = std::max(mean + r, 0.0), low = std::max(mean - r, 0.0);
+  const double p = (high + low) / 2, q = r > 0 ? (high - low) / (2 * r) : 0;
+  Square<2> positive;
+  positive << p + q * half, q * T(0, 1), q * T(0, 1), p - q * half;
+  return positive;
+}
+
+template <int Y>
+struct Tension {
+  static constexpr bool leaves_directions = Y < 3;
+
+  // One condition under the load k C.
+  template <class Condition>
+  void add(double load, const Condition& c) {
+    if constexpr (leaves_directions)
+      T.template block<Condition::M, Condition::M>(c.first, c.first) += load * c.across();
+  }
+  // K −= T₊ ⊗ P
+  void subtract_from(Mats<Y>& K, const Vecs<Y>& y) const {
+    if constexpr (leaves_directions) {
+      const Square<Y> positive = positive_part(T);
+      const Mat3 P = across(y);
+      for (int m = 0; m < Y; ++m)
+        for (int n = 0; n < Y; ++n) K[m][n] -= positive(m, n) * P;
+    }
+  }
+
+  Square<Y> T = Square<Y>::Zero();
+};
