@@ -15,13 +15,13 @@ namespace step03 {
 // What a step computes; it lives from step to step, so that none allocates.
 struct System {
   explicit System(const Cloth& cloth, const Method& method_ = {})
-      : method(method_), f(cloth.mass.size()), b(f), dv(f), z(f), K(make_block_matrix(cloth)), A(K),
-        slots(cloth, K), solver(make_direct_solver(method.solver, A, cloth.inverse_mass)) {
+      : method(method_), f(cloth.mass.size()), b(f), dv(f), v(f), z(f), K(make_block_matrix(cloth)),
+        A(K), slots(cloth, K), solver(make_direct_solver(method.solver, A, cloth.inverse_mass)) {
     if (damped(cloth)) D = D_start = K;
   }
 
   Method method;
-  VecX f, b, dv, z;              // N, N·s, m/s, m/s
+  VecX f, b, dv, v, z;           // N, N·s, m/s, m/s, m/s
   BlockMatrix K, D, A, D_start;  // N/m, N·s/m, kg, N·s/m; D is empty without damping
   ClothSlots slots;
   std::unique_ptr<DirectSolver> solver;
@@ -114,25 +114,26 @@ inline double potential(const Cloth& cloth, double h, const VecX& v, System& sys
   return energy(cloth, h, v, system.start.v, system) - 0.5 * h * system.D.form(v);
 }
 
-// v += step Δv. descent = bᵀΔv is −dΦ/dstep. The step is halved until Φ falls by at least
-// 1e-4 · step · descent (Armijo), but for rounding.
-inline void line_search(const Cloth& cloth, double h, double descent, VecX& v, System& system) {
+// The fraction of Δv to take. fall = bᵀΔv is −dΦ/dstep. The step is halved until Φ falls by at least
+// 1e-4 · step · fall (Armijo), but for rounding. Zero if Φ falls nowhere along Δv.
+inline double line_search(const Cloth& cloth, double h, const VecX& v, System& system) {
   const double Phi = potential(cloth, h, v, system), most = Phi + 1e-12 * std::abs(Phi);
-  double step = descent < 0 ? -1 : 1;  // downhill, whatever A is
-  v += step * system.dv;
-  while (std::abs(step) > 1e-12 && potential(cloth, h, v, system) > most - 1e-4 * step * descent)
-    v -= (step /= 2) * system.dv;
+  const double fall = system.b.dot(system.dv);
+  for (double step = fall < 0 ? -1 : 1; std::abs(step) > 1e-12; step /= 2) {
+    system.v = v + step * system.dv;
+    if (potential(cloth, h, system.v, system) <= most - 1e-4 * step * fall) return step;
+  }
+  return 0;
 }
 
 // Newton's method on Φ, from standing still: b = −Φ', and A is Φ'' or its definite part. Converged: the
 // Newton decrement bᵀΔv is at most 1e-8 of the first one, and so Δv about 1e-4 of the first Δv.
-inline void newton_step(const Cloth& cloth, double h, int iterations, State& state,
-                        System& system) {
+inline void newton_step(const Cloth& cloth, double h, int limit, State& state, System& system) {
   VecX &v = state.v, &v0 = system.start.v;
   v = system.z;
-  double enough = 1e-20 * std::abs(energy(cloth, h, v, v0, system));
+  double enough = 1e-20 * std::abs(energy(cloth, h, v, v0, system)), step = 1;
   bool converged = false;
-  for (int iteration = 0; iteration < iterations && !converged; ++iteration) {
+  for (int iteration = 0; iteration < limit && !converged && step != 0; ++iteration) {
     system.trial.x = system.start.x + h * v;
     forces(cloth, system.trial, system);
     if (iteration == 0) system.D_start = system.D;
@@ -140,10 +141,10 @@ inline void newton_step(const Cloth& cloth, double h, int iterations, State& sta
     system.b = cloth.mass.cwiseProduct(v0 - v) + h * system.f;
     system.D.add_product(h, v, system.b);
     solve(cloth, h, system);
-
     const double decrement = system.b.dot(system.dv);
     if (iteration == 0) enough += 1e-8 * std::abs(decrement);
-    line_search(cloth, h, decrement, v, system);
+    step = line_search(cloth, h, v, system);
+    v += step * system.dv;
     converged = std::abs(decrement) <= enough;
   }
   if (!converged) ++system.counts.unconverged;
@@ -159,7 +160,7 @@ inline bool gains_energy(const Cloth& cloth, double h, const VecX& v, System& sy
 
 inline void time_step(const Cloth& cloth, double h, State& state, System& system) {
   system.start = state;
-  stand_still(cloth, state.v, system.z);
+  stand_still(cloth, h, state.v, system.z);
   if (system.method.newton > 1) return newton_step(cloth, h, system.method.newton, state, system);
   forces(cloth, state, system);
   system.K.multiply(state.v, system.b);

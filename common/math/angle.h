@@ -13,6 +13,7 @@
 // literature numbers by triangle and vertex: its d00, d01, d02 are d[0], d[1], d[2] of flap 0, and its
 // d13, d12, d11 those of flap 1; the same for the cosines c and the binormals m.
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "math/types.h"
@@ -75,11 +76,22 @@ inline Fold make_fold(const Vecs<4>& p) {
   return {make_flap(p[0], p[1], p[2]), make_flap(p[3], p[2], p[1])};
 }
 
-// 5. The angle from n0 to n1 about the edge, in [−π, π]: cos θ = n0·n1 and, because m00 completes n0
-// and the edge to a frame, sin θ = n1·m00.
-inline double angle(const Fold& fold) {
-  const auto& [flap0, flap1] = fold;
-  return std::atan2(flap1.n.dot(flap0.m[0]), flap0.n.dot(flap1.n));
+// The same two normals, but as long as twice the area of their flap, m².
+struct Normals {
+  explicit Normals(const Vecs<4>& p)
+      : edge(p[1] - p[2]), N0(edge.cross(p[1] - p[0])), N1(edge.cross(p[3] - p[1])) {}
+
+  Vec3 edge, N0, N1;
+};
+
+// 5. The angle from n0 to n1 about the edge e12, in [−π, π]:
+//
+//   |N0| |N1| cos θ = N0·N1,   |N0| |N1| sin θ = −e12·(N0 × N1)
+//
+// The angle needs no unit normals. So an energy, which needs nothing but θ, takes none of the other steps.
+inline double angle(const Vecs<4>& p) {
+  const auto& [edge, N0, N1] = Normals(p);
+  return std::atan2(-edge.dot(N0.cross(N1)) / edge.norm(), N0.dot(N1));
 }
 
 // 6. ∂n/∂x_j = m_j nᵀ/d_j: only moving a corner along n tilts the flap, about the opposite edge and
@@ -156,14 +168,15 @@ inline Mats<4> angle_second(const Fold& fold) {
   return second;
 }
 
-// A flap lower than this, m, is a line: thinner than a fibre. A line has no normal, and the levers of
-// one that is almost a line grow without bound.
-constexpr double lowest_flap = 1e-6;
-
-// False also for the not-a-numbers of an edge without length.
-inline bool has_angle(const Fold& fold) {
-  for (const Flap& f : fold)
-    for (const double d : f.d)
-      if (!(d > lowest_flap)) return false;
-  return true;
+// False if a flap is lower than `lowest`, m. Such a flap is a line: it has no normal, and the levers of one that
+// is almost a line grow without bound. The lowest height of a flap is |N| divided by its longest edge. False
+// also for not-a-numbers.
+inline bool has_angle(const Vecs<4>& p, double lowest) {
+  const auto& [edge, N0, N1] = Normals(p);
+  const auto high = [&, e2 = edge.squaredNorm()](const Vec3& N, const Vec3& corner) {
+    const double longest2 =
+        std::max({e2, (p[1] - corner).squaredNorm(), (p[2] - corner).squaredNorm()});
+    return N.squaredNorm() > lowest * lowest * longest2;
+  };
+  return high(N0, p[0]) && high(N1, p[3]);
 }

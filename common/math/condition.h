@@ -106,15 +106,16 @@ void scatter(const VertexElement<N>& e, const std::type_identity_t<Vecs<N>>& f_y
 }
 
 // |w|, and the direction n = ∂|w|/∂w of w. A thread that has collapsed to a point has no direction,
-// so the length is smoothed over a width ε far below any length in a scene:
+// so the length is smoothed over a width ε, 1e-9 of the length at rest:
 //
 //   |w| = √(w·w + ε²),   n = w / |w|,   ∂n/∂w = (I − n nᵀ) / |w|
 //
-// For |w| > 0.1 this is |w| to the last digit; at w = 0 the direction is 0, and the force finite.
+// For |w| > 0.1 of that length this is |w| to the last digit; at w = 0 the direction is 0, and the force
+// finite.
 struct Length {
-  static constexpr double epsilon = 1e-9;  // of a thread's rest length; m for a spring
-  explicit Length(const Vec3& w)
-      : value(std::sqrt(w.squaredNorm() + epsilon * epsilon)), n(w / value) {}
+  static constexpr double epsilon = 1e-9;
+  explicit Length(const Vec3& w, double at_rest = 1)
+      : value(std::sqrt(w.squaredNorm() + epsilon * epsilon * at_rest * at_rest)), n(w / value) {}
   Mat3 second_derivative() const { return (Mat3::Identity() - n * n.transpose()) / value; }
 
   double value;

@@ -1,4 +1,4 @@
-// The energies of a cloth, its elastic forces, and how it would move if it stood still.
+// The energies of a cloth, its elastic forces, and its motion as a whole.
 #pragma once
 #include "math/cloth.h"
 
@@ -47,30 +47,33 @@ double kinetic_energy(const Cloth& cloth, const Velocities& v) {
   return 0.5 * v.cwiseAbs2().dot(cloth.mass);
 }
 
-// z, m/s: the cloth moves as a whole and does not deform. A vertex has the velocity of its pin in the
-// directions that the pin holds. The rest of z is one velocity for the whole cloth: the mean of what the
-// pins hold or, without pins, the mean of v by mass,
+// z, m/s: the velocity of a cloth that does not deform in a step of h, and so stands still for whoever moves
+// with it. Without pins it falls freely, all of it with
 //
-//   v̄ = Σ m v / Σ m
+//   v̄ + h g,   v̄ = Σ m v / Σ m
 //
-// and v̄ too in directions in which a pin slides. So z moves with the frame: the same cloth, seen from a
-// moving train, takes the same step.
-inline void stand_still(const Cloth& cloth, const VecX& v, VecX& z) {
+// With pins it moves as they do, in the mean. A pin that slides lets the cloth fall in the directions that
+// it leaves free. In the directions that a pin holds its vertex has the velocity of the pin.
+//
+// An implicit step is measured against z, and Newton's method begins there. So the same cloth takes the same
+// step for an observer at rest and for one in a train or in a falling lift.
+inline void stand_still(const Cloth& cloth, double h, const VecX& v, VecX& z) {
   Vec3 momentum = Vec3::Zero();
   double mass = 0;
   for (int i = 0; i < cloth.vertices(); ++i) {
     momentum += cloth.mass[3 * i] * v.segment<3>(3 * i);
     mass += cloth.mass[3 * i];
   }
+  Vec3 whole = momentum / mass;
+  if (cloth.gravity) whole += h * *cloth.gravity;
   const auto held = [](const Pin& pin, const Vec3& free) {
     return Vec3(pin.velocity + pin.S * (free - pin.velocity));
   };
-  Vec3 drift = momentum / mass;
   if (!cloth.pins.empty()) {
     Vec3 sum = Vec3::Zero();
-    for (const Pin& pin : cloth.pins) sum += held(pin, drift);
-    drift = sum / double(cloth.pins.size());
+    for (const Pin& pin : cloth.pins) sum += held(pin, whole);
+    whole = sum / double(cloth.pins.size());
   }
-  for (int i = 0; i < cloth.vertices(); ++i) z.segment<3>(3 * i) = drift;
-  for (const Pin& pin : cloth.pins) z.segment<3>(3 * pin.vertex) = held(pin, drift);
+  for (int i = 0; i < cloth.vertices(); ++i) z.segment<3>(3 * i) = whole;
+  for (const Pin& pin : cloth.pins) z.segment<3>(3 * pin.vertex) = held(pin, whole);
 }

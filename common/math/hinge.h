@@ -18,25 +18,40 @@ struct Hinge : VertexElement<4> {
   double rest_angle = 0;  // θ0
   double shape = 1;       // Bridson's c = |e|²/(|N0| + |N1|), from the rest shape
   double theta = 0;       // θ where the time step starts; may lie beyond ±π
+  double lowest = 1e-6;   // m, a flap that is lower is a line: 1e-4 of the lowest one at rest
 };
 
 // θ can grow beyond ±π. Angles that differ by a full turn look alike; θ is the one that is nearest to
 // the stored theta. So a fold that is swept through π keeps its energy and the sign of its force. A
 // degenerate fold, which has no angle, keeps the stored θ.
-inline double angle(const Hinge& hinge, const Fold& fold) {
-  if (!has_angle(fold)) return hinge.theta;
-  return hinge.theta + std::remainder(angle(fold) - hinge.theta, 2 * std::numbers::pi);
+inline double angle(const Hinge& hinge, const Vecs<4>& p) {
+  if (!has_angle(p, hinge.lowest)) return hinge.theta;
+  const double turn = angle(p) - hinge.theta;
+  if (std::abs(turn) <= std::numbers::pi) return angle(p);
+  return hinge.theta + std::remainder(turn, 2 * std::numbers::pi);
 }
 
 // Every hinge stores its θ. A time step calls this with the x from which it starts.
 inline void follow(std::span<Hinge> hinges, const VecX& x) {
-  for (Hinge& hinge : hinges) hinge.theta = angle(hinge, make_fold(gather(hinge, x)));
+  for (Hinge& hinge : hinges) hinge.theta = angle(hinge, gather(hinge, x));
+}
+
+// θ before the first step. Where one flap lies flat on the other, θ is π or −π. The positions do not say which
+// of them, and rounding would say it anew for every hinge. So θ is read as if each vertex lay a hair farther
+// from the origin than the vertex before. All hinges then belong to one folded cloth, which can unfold.
+inline void start_angles(std::span<Hinge> hinges, const VecX& x) {
+  const Vec3 direction(0.48, 0.6, 0.64);  // in no plane of a scene
+  for (Hinge& hinge : hinges) {
+    Vecs<4> y = gather(hinge, x);
+    for (int i = 0; i < 4; ++i) y[i] += 1e-6 * hinge.lowest * hinge.vertices[i] * direction;
+    hinge.theta = angle(hinge, y);
+  }
 }
 
 // θ of a hinge with both derivatives. A degenerate fold has the energy of the stored θ, and no force.
 struct Angle {
   Angle(const Hinge& hinge, const Vecs<4>& p)
-      : fold(make_fold(p)), exists(has_angle(fold)), value(angle(hinge, fold)),
+      : fold(make_fold(p)), exists(has_angle(p, hinge.lowest)), value(angle(hinge, p)),
         gradient(exists ? angle_gradient(fold) : zero_vectors<4>()) {}
   Mats<4> second() const { return exists ? angle_second(fold) : zero_matrices<4>(); }
 

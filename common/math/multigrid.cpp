@@ -169,7 +169,7 @@ void Multigrid::set(const BlockMatrix& A) {
     if (number + 1 < levels.size()) coarsen(level, levels[number + 1].A);
     level.pinned.make_regular(level.A);
     for (size_t i = 0; i < level.inverse.size(); ++i)
-      level.inverse[i] = level.A.diagonal[i].inverse();
+      level.inverse[i] = inverse_of(level.A.diagonal[i]);
   }
 
   const BlockMatrix& last = levels.back().A;

@@ -42,10 +42,10 @@ class BlockJacobi : public Preconditioner {
   explicit BlockJacobi(const std::vector<Pin>& pins_) : pins(pins_) {}
   void set(const BlockMatrix& A) override {
     inverse.resize(A.diagonal.size());
-    for (size_t i = 0; i < inverse.size(); ++i) inverse[i] = A.diagonal[i].inverse();
+    for (size_t i = 0; i < inverse.size(); ++i) inverse[i] = inverse_of(A.diagonal[i]);
     for (const Pin& pin : pins)
       inverse[pin.vertex] =
-          (pin.S * A.diagonal[pin.vertex] * pin.S + Mat3::Identity() - pin.S).inverse();
+          inverse_of(pin.S * A.diagonal[pin.vertex] * pin.S + Mat3::Identity() - pin.S);
   }
   void apply(const VecX& r, VecX& s) override {
     s.resize(r.size());

@@ -3,6 +3,7 @@
 // "block", "ic" and "multigrid" is the identity in the directions that a pin holds, and P of "none" is a
 // number. P of "jacobi" is diagonal: it does so only if the directions of the pin are along x, y and z.
 #pragma once
+#include <Eigen/Cholesky>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,12 @@ class Preconditioner {
   virtual void set(const BlockMatrix& A) = 0;      // before the solves with A
   virtual void apply(const VecX& r, VecX& s) = 0;  // s = P⁻¹ r
 };
+
+// B⁻¹ of a block of A, by pivots. A flap that is almost a line makes B 1e13 times as stiff in one direction as in
+// another. The cofactors of B.inverse() then subtract large numbers, and their B⁻¹ is not positive definite.
+inline Mat3 inverse_of(const Mat3& B) {
+  return B.ldlt().solve(Mat3::Identity());
+}
 
 // "none": one number. "jacobi": the diagonal of A. "block": its 3 × 3 diagonal blocks.
 // "ic": incomplete_cholesky.h. "multigrid": multigrid.h. Throws std::invalid_argument for any other name,

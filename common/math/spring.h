@@ -20,7 +20,8 @@ inline Spring make_spring(int i, int j, double rest_length, double share = 1) {
 
 //   C = √s (|y| − L),   ∂C/∂y = √s n,   n = y/|y|,   E = s k/2 (|y| − L)²
 struct Elongation : Condition<1> {
-  Elongation(const Spring& s, const Vec3& y) : sqrt_share(s.sqrt_share), length(y) {
+  Elongation(const Spring& s, const Vec3& y)
+      : sqrt_share(s.sqrt_share), length(y, s.rest_length > 0 ? s.rest_length : 1) {
     C = sqrt_share * (length.value - s.rest_length);
     dCdy = {sqrt_share * length.n};
   }

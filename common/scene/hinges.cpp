@@ -27,6 +27,13 @@ double shape(const FlatFlap& flap0, const FlatFlap& flap1) {
   return squared_edge(flap0, flap1) / (2 * (area(flap0) + area(flap1)));
 }
 
+// m, above the longest edge.
+double lowest_height(const FlatFlap& p) {
+  const double longest =
+      std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
+  return 2 * area(p) / longest;
+}
+
 // The distance of the two corners 0 when the hinge is flat.
 double opposite_distance(const FlatFlap& flap0, const FlatFlap& flap1) {
   const auto place = [](const FlatFlap& p) {  // of corner 0: along the edge, and across it
@@ -52,6 +59,7 @@ std::vector<Hinge> make_hinges(const Mesh& mesh) {
     Hinge hinge;
     hinge.vertices = edge.vertices;
     hinge.shape = shape(flap0, flap1);
+    hinge.lowest = 1e-4 * std::min(lowest_height(flap0), lowest_height(flap1));
     const auto [face0, face1] = edge.faces;
     if (!mesh.rests_flat(face0) || !mesh.rests_flat(face1)) rest_at(mesh.x, {&hinge, 1});
     return hinge;
@@ -71,5 +79,5 @@ std::vector<Spring> make_bend_springs(const Mesh& mesh) {
 }
 
 void rest_at(const VecX& x, std::span<Hinge> hinges) {
-  for (Hinge& hinge : hinges) hinge.rest_angle = angle(make_fold(gather(hinge, x)));
+  for (Hinge& hinge : hinges) hinge.rest_angle = angle(gather(hinge, x));
 }

@@ -75,6 +75,7 @@ Scene read_scene(const std::filesystem::path& path, const std::string& program,
   check_terms(file, geometry.mesh, model);
   scene.cloth = make_cloth(geometry.mesh, model);
   scene.start = read_start(file, geometry, scene.cloth);
+  start_angles(scene.cloth.hinges.elements, scene.start.x);
   scene.mesh = std::move(geometry.mesh);
   return scene;
 }

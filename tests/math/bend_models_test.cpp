@@ -132,7 +132,7 @@ TEST(Bend, ForceOfALowFlapIsBounded) {
       const VecX x = moved(flat(low.folded(theta)), random.rotation(), random.vector(3, 1));
       const VecX f = family_forces(one_hinge(hinge_near(theta), k), x);
       ASSERT_TRUE(f.allFinite());
-      EXPECT_LE(f.norm(), k * pi * 4 / lowest_flap) << "height " << height;
+      EXPECT_LE(f.norm(), k * pi * 4 / Hinge{}.lowest) << "height " << height;
     }
 }
 

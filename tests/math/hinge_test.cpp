@@ -109,24 +109,24 @@ TEST(Hinge, HeightsTimesOppositeEdgesAreTwiceTheArea) {
 // 5
 TEST(Hinge, AngleIsTheOneByWhichItIsFolded) {
   for (const FoldCase& fold : all_folds(5))
-    EXPECT_NEAR(angle(make_fold(points(fold.x))), fold.theta, 1e-14 / fold.length) << fold.name;
+    EXPECT_NEAR(angle(points(fold.x)), fold.theta, 1e-14 / fold.length) << fold.name;
 }
 
 TEST(Hinge, LiftingP3ToTheFrontMakesTheAngleNegative) {
   Vecs<4> p = FlatHinge{1, 0.5, 1, 0.5}.folded(0);
-  EXPECT_EQ(angle(make_fold(p)), 0);
+  EXPECT_EQ(angle(p), 0);
   p[3] += 0.1 * make_fold(p)[0].n;
-  EXPECT_NEAR(angle(make_fold(p)), -std::atan(0.1), 1e-15);
+  EXPECT_NEAR(angle(p), -std::atan(0.1), 1e-15);
   std::swap(p[1], p[2]);  // seen from the other side
-  EXPECT_NEAR(angle(make_fold(p)), std::atan(0.1), 1e-15);
+  EXPECT_NEAR(angle(p), std::atan(0.1), 1e-15);
 }
 
 TEST(Hinge, TurnedByHalfATurnItIsTheSame) {
   for (const FoldCase& fold : all_folds(6)) {
     const auto [p0, p1, p2, p3] = points(fold.x);
-    const Fold there = make_fold({p0, p1, p2, p3}), back = make_fold({p3, p2, p1, p0});
+    const Vecs<4> there = {p0, p1, p2, p3}, back = {p3, p2, p1, p0};
     EXPECT_NEAR(angle(there), angle(back), 1e-14 / fold.length) << fold.name;
-    const Vecs<4> a = angle_gradient(there), b = angle_gradient(back);
+    const Vecs<4> a = angle_gradient(make_fold(there)), b = angle_gradient(make_fold(back));
     for (int i = 0; i < 4; ++i) EXPECT_EQ(a[i], b[3 - i]) << fold.name;
   }
 }
@@ -135,9 +135,7 @@ TEST(Hinge, TurnedByHalfATurnItIsTheSame) {
 TEST(Hinge, AngleGradientIsTheSlopeOfTheAngle) {
   for (const FoldCase& fold : all_folds(8))
     EXPECT_TRUE(is_slope(
-        [&](const VecX& at) {
-          return one_number(angle(hinge_near(fold.theta), make_fold(points(at))));
-        },
+        [&](const VecX& at) { return one_number(angle(hinge_near(fold.theta), points(at))); },
         [](const VecX& at) -> MatX {
           return flat(angle_gradient(make_fold(points(at)))).transpose();
         },
@@ -214,9 +212,10 @@ TEST(Hinge, FarFromTheOriginOnlyTheGrainOfThePlaceIsLost) {
   for (const FoldCase& fold : all_folds(15)) {
     const VecX far = moved(fold.x, Mat3::Identity(), Vec3(1e4, -1e4, 1e4));
     const Hinge hinge = hinge_near(fold.theta);
-    const Fold here = make_fold(gather(hinge, fold.x)), there = make_fold(gather(hinge, far));
+    const Vecs<4> p = gather(hinge, fold.x), q = gather(hinge, far);
+    const Fold here = make_fold(p), there = make_fold(q);
     const VecX g = flat(angle_gradient(here));
-    EXPECT_NEAR(angle(hinge, there), angle(hinge, here), 8 * grain * g.norm()) << fold.name;
+    EXPECT_NEAR(angle(hinge, q), angle(hinge, p), 8 * grain * g.norm()) << fold.name;
     const double turned = 16 * grain / fold.length;
     EXPECT_LT((flat(angle_gradient(there)) - g).norm(), turned * g.norm()) << fold.name;
     const MatX H = matrix(angle_second(here));

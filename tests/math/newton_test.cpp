@@ -49,7 +49,7 @@ VecX residual(const Cloth& cloth, double h, const State& before, const State& af
 // Newton's method with as many iterations as the options allow, even one.
 void newton_step(const Cloth& cloth, double h, State& state, step03::System& system) {
   system.start = state;
-  stand_still(cloth, state.v, system.z);
+  stand_still(cloth, h, state.v, system.z);
   step03::newton_step(cloth, h, system.method.newton, state, system);
 }
 
