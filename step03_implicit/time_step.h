@@ -71,7 +71,7 @@ void add_family(const Family& family, const State& state, System& system) {
     family.conditions(element, y, [&](const Term& term, const auto& condition) {
       act(term, condition, system.method.jacobian, ydot, sum);
     });
-    if (system.method.jacobian == Jacobian::definite) sum.T.subtract_from(sum.K, y);
+    if (system.method.jacobian == Jacobian::definite) sum.T.subtract_from(sum.K, element, y);
     scatter(element, sum.f, system.f);
     scatter(element, sum.K, *slot, system.K);
     if (!system.D.empty()) scatter(element, sum.D, *slot, system.D);

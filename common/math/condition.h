@@ -34,8 +34,6 @@ struct Condition {
   double C;
   Vecs<M> dCdy;
   int first = 0;
-
-  Square<M> across() const { return Square<M>::Zero(); }  // of a linear condition
 };
 
 // The stiffness and the damping of conditions: E = k/2 C², d = −kd Ċ ∂C/∂x. TermInfo::units has their units.

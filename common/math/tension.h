@@ -10,18 +10,10 @@
 //
 // For a triangle T is its stress (the second Piola–Kirchhoff stress times the area, J), and P = n nᵀ with
 // its normal n. For a spring T is its tension divided by its length, N/m, and P = I − n nᵀ with its
-// direction n. The vertices of a hinge leave no direction across: nothing is kept.
+// direction n. An element says its P by across(element, y), beside its conditions. The vertices of a hinge
+// leave no direction across, and quadratic bending is linear: they say nothing, and nothing is kept.
 #pragma once
 #include "math/condition.h"
-
-inline Mat3 across(const Vecs<1>& y) {
-  const Vec3 n = y[0].stableNormalized();
-  return Mat3::Identity() - n * n.transpose();
-}
-inline Mat3 across(const Vecs<2>& w) {
-  const Vec3 n = Length(w[0].cross(w[1])).n;  // zero where the triangle is a line
-  return n * n.transpose();
-}
 
 inline Square<1> positive_part(const Square<1>& T) {
   return T.cwiseMax(0);
@@ -37,21 +29,21 @@ inline Square<2> positive_part(const Square<2>& T) {
   return positive;
 }
 
+// Summed up over the conditions of one element.
 template <int Y>
 struct Tension {
-  static constexpr bool leaves_directions = Y < 3;
-
   // One condition under the load k C.
   template <class Condition>
   void add(double load, const Condition& c) {
-    if constexpr (leaves_directions)
+    if constexpr (requires { c.across(); })
       T.template block<Condition::M, Condition::M>(c.first, c.first) += load * c.across();
   }
   // K −= T₊ ⊗ P
-  void subtract_from(Mats<Y>& K, const Vecs<Y>& y) const {
-    if constexpr (leaves_directions) {
+  template <class Element>
+  void subtract_from(Mats<Y>& K, const Element& element, const Vecs<Y>& y) const {
+    if constexpr (requires { across(element, y); }) {
       const Square<Y> positive = positive_part(T);
-      const Mat3 P = across(y);
+      const Mat3 P = across(element, y);
       for (int m = 0; m < Y; ++m)
         for (int n = 0; n < Y; ++n) K[m][n] -= positive(m, n) * P;
     }

@@ -28,6 +28,12 @@ inline Triangle make_triangle(const Face& vertices, const Vec2& uv0, const Vec2&
   return t;
 }
 
+// P = n nᵀ, the direction across the triangle (math/tension.h); zero where the triangle is a line.
+inline Mat3 across(const Triangle&, const Vecs<2>& w) {
+  const Vec3 n = Length(w[0].cross(w[1])).n;
+  return n * n.transpose();
+}
+
 // Stretch: the thread along w = w[m] wants its rest length b (1: as woven).
 //
 //   C = √a (|w| − b),   ∂C/∂w = √a n,   n = w/|w|

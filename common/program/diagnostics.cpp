@@ -15,7 +15,7 @@ double face_stretch(const Mesh& mesh, size_t face, const VecX& x) {
 
 }  // namespace
 
-TermEnergies elastic_energies(const Cloth& cloth, const VecX& x) {
+[[gnu::flatten]] TermEnergies elastic_energies(const Cloth& cloth, const VecX& x) {
   TermEnergies energies;
   for_each_family(cloth, [&](const auto& family) {
     family.for_each_term([&]<class T>(const std::optional<T>& term) {

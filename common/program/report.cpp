@@ -70,7 +70,7 @@ void Report::end(const RunTotals& run, const Watch& watch, const State& state,
       energies(scene.cloth, state).total());
   iterations(run);
   redone(run);
-  warnings(run, watch);
+  warnings(run, watch, state);
   std::printf("  see %s\n", (options.out / (options.pictures ? "film.png" : "log.csv")).c_str());
   if (interrupted)
     std::printf("  final.obj and final_velocities.csv hold the cloth at t = %.6g s\n",
@@ -85,8 +85,6 @@ void Report::iterations(const RunTotals& run) const {
               options.method.tolerance);
 }
 
-// One linear system per step is not enough where h is long. It is the wrong method where hardly any step
-// gets by with one.
 void Report::redone(const RunTotals& run) const {
   const long redone = run.counts.redone;
   if (redone == 0) return;
@@ -94,11 +92,18 @@ void Report::redone(const RunTotals& run) const {
       "  took %ld of %ld steps again, by Newton's method: one linear system gained energy\n",
       redone, run.steps);
   if (2 * redone > run.steps)
-    warn("most steps were taken again: the cloth may hardly move; try a smaller h");
+    warn("one linear system is not enough for most steps: try a smaller h, or --newton 20");
+}
+
+long Report::collapsed_hinges(const VecX& x) const {
+  const std::vector<Hinge>& hinges = scene.cloth.hinges.elements;
+  return std::count_if(hinges.begin(), hinges.end(), [&](const Hinge& hinge) {
+    return !has_angle(gather(hinge, x), hinge.lowest);
+  });
 }
 
 // Counts that do not end a run but make its result doubtful.
-void Report::warnings(const RunTotals& run, const Watch& watch) const {
+void Report::warnings(const RunTotals& run, const Watch& watch, const State& state) const {
   const Counters& counts = run.counts;
   const bool iterative = options.concepts.iterative;
   if (watch.gained > 0)
@@ -117,6 +122,11 @@ void Report::warnings(const RunTotals& run, const Watch& watch) const {
          " in " + count(counts.capped, "system") +
          ": the cloth moves as if it were stiffer; raise --max-iterations or take another "
          "--preconditioner");
+  if (const long lines = collapsed_hinges(state.x); lines > 0)
+    warn(count(lines, "hinge") + (lines == 1 ? " has" : " have") +
+         " a flap that is pressed to a line, and cannot bend: if bending is stiffer than the "
+         "threads, "
+         "triangles collapse instead of unfolding");
   if (counts.unconverged > 0 && options.method.newton > 1)
     warn("Newton did not converge in " + count(counts.unconverged, "step"));
 }

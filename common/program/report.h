@@ -26,7 +26,8 @@ class Report {
   std::string advice(const RunTotals&) const;
   void iterations(const RunTotals&) const;
   void redone(const RunTotals&) const;
-  void warnings(const RunTotals&, const Watch&) const;
+  void warnings(const RunTotals&, const Watch&, const State&) const;
+  long collapsed_hinges(const VecX& x) const;
 
   const Options& options;
   const Scene& scene;

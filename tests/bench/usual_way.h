@@ -45,7 +45,7 @@ void family_blocks(const Family& family, const State& state, VecX& f, const Add&
       }
     });
     Mats<Family::Y> K = zero_matrices<Family::Y>();
-    tension.subtract_from(K, y);
+    tension.subtract_from(K, e, y);
     for (int i = 0; i < N; ++i)
       for (int j = 0; j < N; ++j) {
         Mat3 K_ij = Mat3::Zero();

@@ -38,11 +38,12 @@ const std::vector<Start> starts = {{"dropped", dropped},     {"squeezed", squeez
                                    {"tangled", tangled},     {"coincident", coincident},
                                    {"collapsed", collapsed}, {"shot", shot}};
 
-// A squeezed or shot cloth passes through itself in its first steps and winds up its hinges.
-// If the threads are much stiffer than the folds, they pull the cloth flat again. A board of
-// soft threads stays wound up.
+// A squeezed, collapsed or shot cloth passes through itself in its first steps and winds up its hinges, or
+// begins with flaps that are lines. If the threads are much stiffer than the folds, they pull the cloth
+// flat again. A board of soft threads stays as it is: where no motion lowers the energy it stands still.
 bool unwinds(const Start& start, double k, double k_bend) {
-  return (start.make != squeezed && start.make != shot) || k_bend <= 1e-4 * k;
+  return (start.make != squeezed && start.make != collapsed && start.make != shot) ||
+         k_bend <= 1e-4 * k;
 }
 
 // 60 steps. At h = 0.1 s these are 6 s, and such long steps damp all motion in that time.

@@ -86,14 +86,11 @@ void textbook_step(const Cloth& cloth, double h, State& state, step04::System& s
 // A residual of 1e-4 |b| is no small error if stiff directions dominate b: the error that is left
 // in the velocity of soft directions may be (h ω)² times as large.
 TEST(LooseConjugateGradients, ExplodeWhereTheyStopByTheRelativeResidual) {
-  for (const MakeScene make : {collapsed, shot}) {
-    const TestScene scene = make(1e8);
-    step04::System textbook(scene.cloth, with("block", 1e-4)),
-        ours(scene.cloth, with("block", 0.1));
-    const Outcome exploded = watch(scene, 0.1, 60, textbook, textbook_step);
-    EXPECT_TRUE(!exploded.finite || exploded.last > 1e6);
-    EXPECT_LT(watch(scene, 0.1, 60, ours, step04::time_step).last, 3);
-  }
+  const TestScene scene = shot(1e8);
+  step04::System textbook(scene.cloth, with("block", 1e-4)), ours(scene.cloth, with("block", 0.1));
+  const Outcome exploded = watch(scene, 0.1, 60, textbook, textbook_step);
+  EXPECT_TRUE(!exploded.finite || exploded.last > 1e6);
+  EXPECT_LT(watch(scene, 0.1, 60, ours, step04::time_step).last, 3);
 }
 
 }  // namespace extremes::cg_test

@@ -44,6 +44,32 @@ TEST_P(CgAllocation, AStepAllocatesNothing) {
   EXPECT_EQ(allocations_in_steps(3), 0);
 }
 
+// The first step is a plain one. Nor does Newton's method then allocate, wherever the guard calls it.
+TEST_P(CgAllocation, NorDoesANewtonStep) {
+  const Mesh mesh = make_grid({1, 1}, {6, 6}, Diagonals::alternating);
+  Model model;
+  model.add(StretchTerm(1000, 1));
+  model.gravity = Vec3(0, -9.81, 0);
+  model.pins = {0, 6};
+  for (const double kd : {0.0, 1.0}) {
+    model.term<StretchTerm>()->kd = kd;
+    const Cloth cloth = make_cloth(mesh, model);
+    Method method;
+    method.preconditioner = GetParam();
+    step04::System system(cloth, method);
+    State state{mesh.x, VecX::Zero(mesh.x.size())};
+    step04::time_step(cloth, 0.1, state, system);
+    EXPECT_EQ(allocations_in([&] {
+                for (int i = 0; i < 5; ++i) step04::time_step(cloth, 0.1, state, system);
+                system.method.newton = 5;
+                for (int i = 0; i < 5; ++i) step04::time_step(cloth, 0.1, state, system);
+              }),
+              0)
+        << "kd = " << kd;
+    EXPECT_GT(system.counts.redone, 0);
+  }
+}
+
 // 13 × 13 cells, 588 coordinates.
 TEST_P(CgAllocation, NorDoesOneWithALargeCoarsestGrid) {
   EXPECT_EQ(allocations_in_steps(13), 0);

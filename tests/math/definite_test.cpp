@@ -82,6 +82,30 @@ TEST(Definite, KeepsAllOfAStretchedThreadAndNothingOfACompressedOne) {
   }
 }
 
+// The tension of a triangle is its second Piola–Kirchhoff stress S = F⁻¹ P, times its area. P comes from
+// the forces on w_u and w_v, [f_u f_v] = −a P, so T = −(FᵀF)⁻¹ Fᵀ [f_u f_v]: no second derivative.
+TEST(Tension, OfATriangleIsItsSecondPiolaKirchhoffStressTimesItsArea) {
+  Random random(95);
+  for (int n = 0; n < 500; ++n) {
+    const Rest rest = random_rest(random);
+    const Triangle t = make_triangle(rest);
+    const Vecs<2> w = {random.vector(3, 1), random.vector(3, 1)};
+    if (w[0].cross(w[1]).norm() < 0.02) continue;
+    Tension<2> tension;
+    MatX F(3, 2), f = MatX::Zero(3, 2);
+    F << w[0], w[1];
+    Triangles family;
+    family.term<StretchTerm>() = StretchTerm(100);
+    family.term<ShearTerm>() = ShearTerm(40);
+    family.conditions(t, w, [&](const Term& term, const auto& c) {
+      tension.add(term.k * c.C, c);
+      for (int m = 0; m < c.M; ++m) f.col(c.first + m) -= term.k * c.C * c.dCdy[m];
+    });
+    const MatX expected = -product({inverse(product({F.transpose(), F})), F.transpose(), f});
+    EXPECT_LT(relative(tension.T, expected), 1e-9);
+  }
+}
+
 // A whole sheet, crumpled at random: all eigenvalues of A are positive.
 TEST(Definite, ACrumpledSheetHasAPositiveDefiniteMatrix) {
   Random random(93);
