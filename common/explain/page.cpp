@@ -33,6 +33,7 @@ std::string describe_method(const Options& options) {
                           ? "backward Euler, linearised once"
                           : text("backward Euler, up to %d Newton iterations", method.newton);
   if (method.jacobian == Jacobian::bw98) words += ", --jacobian bw98";
+  if (!method.guard) words += ", --guard off";
   if (options.concepts.direct) words += "; " + method.solver;
   if (options.concepts.iterative)
     words += text("; conjugate gradients (%s, tolerance %g)", method.preconditioner.c_str(),
@@ -96,7 +97,7 @@ std::string describe_solve(const Options& options, const Survey& s) {
 }
 
 // Counts that are not fatal but deserve a warning.
-void print_warning(const Survey& s) {
+void print_warning(const Options& options, const Survey& s) {
   const Counters counters = s.baseline.simulation.counters();
   std::vector<std::string> warnings;
   const auto warn = [&](long number, const std::string& of_what) {
@@ -104,7 +105,9 @@ void print_warning(const Survey& s) {
   };
   warn(counters.indefinite, " systems whose matrix is not positive definite");
   warn(counters.capped, " systems that reached --max-iterations");
-  warn(counters.unconverged, " steps in which Newton did not converge");
+  warn(counters.redone, " steps that were taken again, because one linear system gained energy");
+  if (options.method.newton > 1)
+    warn(counters.unconverged, " steps in which Newton did not converge");
   if (!warnings.empty()) print_wrapped("warning: " + joined(warnings, ", "));
 }
 
@@ -144,7 +147,7 @@ void print_costs(const Options& options, const Scene& scene, const std::vector<P
     print_cost("damping", {s.median_saved.back(), D}, whole,
                "of all terms, contained in the rows above");
   }
-  print_warning(s);
+  print_warning(options, s);
 }
 
 // What sets h -------------------------------------------------------------------------------------

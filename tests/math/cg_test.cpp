@@ -271,6 +271,28 @@ TEST(Jacobi, DividesByTheDiagonal) {
   EXPECT_GT(multiplied, 3 * divided);
 }
 
+// The system keeps momentum: its rows add up to Σ m Δv = h Σ m g. Conjugate gradients that stop early do not.
+TEST(FreeFall, LosesLessOfTheMomentumThanTheTolerance) {
+  const Mesh mesh = make_grid({1, 1}, {12, 12}, Diagonals::alternating);
+  Model model;
+  model.add(StretchTerm(1000));
+  model.add(ShearTerm(500));
+  model.gravity = Vec3(0, -9.81, 0);
+  const Cloth cloth = make_cloth(mesh, model);
+  for (const double tolerance : {1e-2, 1e-4, 1e-8}) {
+    step04::System system(cloth, cg("block", tolerance));
+    Random random(150);
+    State state{mesh.x + random.vector(int(mesh.x.size()), 0.01), VecX::Zero(mesh.x.size())};
+    const int steps = 50;
+    for (int n = 0; n < steps; ++n) step04::time_step(cloth, 0.01, state, system);
+    double momentum = 0;
+    for (int i = 1; i < state.v.size(); i += 3) momentum += cloth.mass[i] * state.v[i];
+    const double exact = -9.81 * 0.01 * steps * cloth.mass.sum() / 3, lost = momentum / exact - 1;
+    std::printf("tolerance %.0e: %.1e of the momentum lost\n", tolerance, std::abs(lost));
+    EXPECT_LT(std::abs(lost), tolerance);
+  }
+}
+
 // P⁻¹ = −1: rᵀ P⁻¹ r is less than every tolerance, and nothing is solved.
 class Negative : public Preconditioner {
  public:
