@@ -81,15 +81,16 @@ void Report::iterations(const RunTotals& run) const {
   if (!options.concepts.iterative) return;
   std::printf("  %.1f iterations of conjugate gradients per %s (%s, tolerance %g)\n",
               double(run.counts.iterations) / double(std::max(run.steps, 1L)),
-              options.method.newton == 1 ? "system" : "step", options.method.preconditioner.c_str(),
-              options.method.tolerance);
+              options.method.newton == 1 && run.counts.redone == 0 ? "system" : "step",
+              options.method.preconditioner.c_str(), options.method.tolerance);
 }
 
 void Report::redone(const RunTotals& run) const {
   const long redone = run.counts.redone;
   if (redone == 0) return;
   std::printf(
-      "  took %ld of %ld steps again, by Newton's method: one linear system gained energy\n",
+      "  took %ld of %ld steps again, by Newton's method: one linear system would have gained "
+      "energy\n",
       redone, run.steps);
   if (2 * redone > run.steps)
     warn("one linear system is not enough for most steps: try a smaller h, or --newton 20");
@@ -124,9 +125,8 @@ void Report::warnings(const RunTotals& run, const Watch& watch, const State& sta
          "--preconditioner");
   if (const long lines = collapsed_hinges(state.x); lines > 0)
     warn(count(lines, "hinge") + (lines == 1 ? " has" : " have") +
-         " a flap that is pressed to a line, and cannot bend: if bending is stiffer than the "
-         "threads, "
-         "triangles collapse instead of unfolding");
+         " a flap that is pressed to a line, and cannot bend: where bending is stiffer than the "
+         "threads, triangles collapse instead of unfolding");
   if (counts.unconverged > 0 && options.method.newton > 1)
     warn("Newton did not converge in " + count(counts.unconverged, "step"));
 }

@@ -76,7 +76,7 @@ void add_ours(const Case& c, const std::string& preconditioner, const VecX& trut
   const auto looks = watch(c, problem.system, problem.system.dv, truth, {1, smallest / 2});
   for (const double error : {1e-2, 1e-4, smallest}) {
     const double tolerance = loosest(looks, error);
-    const Method method{.preconditioner = preconditioner, .tolerance = tolerance};
+    const Method method{.guard = false, .preconditioner = preconditioner, .tolerance = tolerance};
     auto system = std::make_shared<step04::System>(c.cloth, method);
     points.push_back({label(preconditioner, error), c.setting.cells, tolerance,
                       iterations(looks, tolerance), iterations_to(looks, error),
@@ -91,7 +91,7 @@ void add_ours(const Case& c, const std::string& preconditioner, const VecX& trut
 
 void add_direct(const Case& c, const std::string& solver, double stored,
                 std::vector<Point>& points) {
-  Method method;
+  Method method{.guard = false};
   method.solver = solver;
   auto system = std::make_shared<step03::System>(c.cloth, method);
   points.push_back({solver, c.setting.cells, 0, 0, 0,

@@ -25,7 +25,7 @@ Way ours(const Case& c, const std::string& preconditioner, const VecX& truth) {
   Problem problem(c, preconditioner);
   const auto looks = watch(c, problem.system, problem.system.dv, truth, {1, error_allowed / 2});
   const double tolerance = loosest(looks, error_allowed);
-  const Method method{.preconditioner = preconditioner, .tolerance = tolerance};
+  const Method method{.guard = false, .preconditioner = preconditioner, .tolerance = tolerance};
   auto system = std::make_shared<step04::System>(c.cloth, method);
   return {"step 4, " + preconditioner, tolerance, [&c, system](VecX& dv) {
             State state = c.state;
@@ -37,7 +37,7 @@ Way ours(const Case& c, const std::string& preconditioner, const VecX& truth) {
 }
 
 Way direct(const Case& c, const std::string& solver) {
-  Method method;
+  Method method{.guard = false};
   method.solver = solver;
   auto system = std::make_shared<step03::System>(c.cloth, method);
   return {"step 3, " + solver, 0, [&c, system](VecX& dv) {

@@ -57,6 +57,20 @@ TEST_F(BendProgram, WithoutBendingItIsStep04) {
             columns_of(read_all(directory / "four/log.csv")));
 }
 
+// One hinge. All of its vertices are held, and one of them lies on the edge.
+TEST_F(BendProgram, SaysThatAFlapIsPressedToALine) {
+  write("start.obj", "v 0 0 0\nv 1 0 0\nv 0 0 -1\nv 0.5 0 -0.5\nf 1 2 3\nf 2 4 3\n");
+  write("scene.toml",
+        "[cloth]\nsize = [1.0, 1.0]\ncells = [1, 1]\ndiagonals = \"same\"\ndensity = 0.2\n"
+        "pins = [0, 1, 2, 3]\n[stretch]\nk = 1000.0\n[bend]\nk = 1.0\n[time]\nh = 0.01\nend = 0.1\n"
+        "[start]\npositions = \"start.obj\"\n");
+  const Outcome outcome = run(step05, {"scene.toml", "--no-pictures", "--out", "out"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("1 hinge has a flap that is pressed to a line, and cannot bend"),
+            std::string::npos)
+      << outcome.out;
+}
+
 TEST_F(BendProgram, ItsRingsHaveNoNumbersOnOtherCells) {
   const Outcome refused = run(step05, {"--cells", "24", "--out", "out"});
   EXPECT_EQ(refused.code, 2);
