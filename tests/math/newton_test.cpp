@@ -54,7 +54,7 @@ void newton_step(const Cloth& cloth, double h, State& state, step03::System& sys
 }
 
 // With one iteration `time_step` takes the plain step; newton_step, called with one iteration, starts
-// from v = 0 instead of v0 and must arrive at the same velocities.
+// from standing still instead of v0 and must arrive at the same velocities.
 TEST_F(Newton, OneIterationTakenWholeIsThePlainStep) {
   damp();
   model.gravity = Vec3(0, -9.81, 0);
