@@ -52,8 +52,8 @@ macro(find_package_of debian_package package)
 endmacro()
 
 # -ffp-contract=off forbids fused multiply-adds: with the same Eigen, the same scene gives the same positions
-# to the last bit with every compiler. -fno-math-errno: no square root sets errno; so an energy does not compute
-# the gradients that it does not use.
+# to the last bit with every compiler. -fno-math-errno: no square root sets errno; so an energy does not
+# compute the gradients that it does not use.
 function(cloth_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)

@@ -44,7 +44,8 @@ Memory memory_of(const System& s) {
   Memory memory;
   memory.vectors = bytes_in(s.f);
   if constexpr (requires { s.K; }) {
-    memory.vectors += bytes_in(s.b, s.dv, s.z, s.start.x, s.start.v, s.trial.x, s.trial.v);
+    memory.vectors +=
+        bytes_in(s.b, s.dv, s.v, s.z, s.start.x, s.start.v, s.trial.x, s.trial.v, s.E.x);
     memory.matrices = bytes_of(s.K) + bytes_of(s.D) + bytes_of(s.A) + bytes_of(s.D_start);
     memory.slots = s.slots.bytes();
   }

@@ -84,7 +84,7 @@ struct Normals {
   Vec3 edge, N0, N1;
 };
 
-// 5. The angle from n0 to n1 about the edge e12, in [−π, π]:
+// 5. The angle from n0 to n1 about the edge, seen along e12 from its end P1 to its end P2, in [−π, π]:
 //
 //   |N0| |N1| cos θ = N0·N1,   |N0| |N1| sin θ = −e12·(N0 × N1)
 //
@@ -168,9 +168,9 @@ inline Mats<4> angle_second(const Fold& fold) {
   return second;
 }
 
-// False if a flap is lower than `lowest`, m. Such a flap is a line: it has no normal, and the levers of one that
-// is almost a line grow without bound. The lowest height of a flap is |N| divided by its longest edge. False
-// also for not-a-numbers.
+// False if a flap is lower than `lowest`, m. Such a flap is a line: it has no normal, and the levers of one
+// that is almost a line grow without bound. The lowest height of a flap is |N| divided by its longest edge.
+// False also for not-a-numbers.
 inline bool has_angle(const Vecs<4>& p, double lowest) {
   const auto& [edge, N0, N1] = Normals(p);
   const auto high = [&, e2 = edge.squaredNorm()](const Vec3& N, const Vec3& corner) {

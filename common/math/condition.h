@@ -25,8 +25,7 @@
 //
 // a function of its own, because only --jacobian bw98 needs it, and, on a triangle or a spring,
 //
-//   Square<M> across() const    M × M numbers nᵀ ∂²C/∂y_m∂y_n n, where the unit vector n is
-//                               perpendicular to every y of the element; see math/tension.h
+//   Square<M> across() const    M × M numbers: ∂²C/∂y_m∂y_n across the element; see math/tension.h
 template <int M_>
 struct Condition {
   static constexpr int M = M_;

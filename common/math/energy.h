@@ -33,14 +33,29 @@ inline double gravitational_energy(const Cloth& cloth, const VecX& x) {
   return energy;
 }
 
-// The energy whose negative gradient is the force without damping, J. flatten: the compiler inlines every call
-// in this function, and leaves out the gradients.
-[[gnu::flatten]] inline double potential_energy(const Cloth& cloth, const VecX& x) {
+// The energy whose negative gradient is the force without damping, J.
+inline double potential_energy(const Cloth& cloth, const VecX& x) {
   double energy = gravitational_energy(cloth, x);
   for_each_family(
       cloth, [&](const auto& family) { add_elastic_energy(family, family.elements, x, energy); });
   return energy;
 }
+
+// The potential energy of one cloth, and the positions it belongs to. Where pins stand still, a step begins at
+// the positions whose energy the guard has just computed.
+struct LastEnergy {
+  explicit LastEnergy(Eigen::Index numbers) : x(VecX::Constant(numbers, std::nan(""))) {}
+
+  template <class Positions>
+  double at(const Cloth& cloth, const Positions& positions) {
+    if (x == positions) return energy;
+    x = positions;
+    return energy = potential_energy(cloth, x);
+  }
+
+  VecX x;
+  double energy = 0;
+};
 
 // ½ |v|²_M, J.
 template <class Velocities>
@@ -53,11 +68,11 @@ double kinetic_energy(const Cloth& cloth, const Velocities& v) {
 //
 //   v̄ + h g,   v̄ = Σ m v / Σ m
 //
-// With pins it moves as they do, in the mean. A pin that slides lets the cloth fall in the directions that
-// it leaves free. In the directions that a pin holds its vertex has the velocity of the pin.
+// With pins it follows them (pin.h). In the directions that a pin holds, its vertex has the velocity of the
+// pin. Only where pins move apart does z deform the cloth, beside them.
 //
 // An implicit step is measured against z, and Newton's method begins there. So the same cloth takes the same
-// step for an observer at rest and for one in a train or in a falling lift.
+// step for an observer at rest and for one in a train.
 inline void stand_still(const Cloth& cloth, double h, const VecX& v, VecX& z) {
   Vec3 momentum = Vec3::Zero();
   double mass = 0;
@@ -67,14 +82,7 @@ inline void stand_still(const Cloth& cloth, double h, const VecX& v, VecX& z) {
   }
   Vec3 whole = momentum / mass;
   if (cloth.gravity) whole += h * *cloth.gravity;
-  const auto held = [](const Pin& pin, const Vec3& free) {
-    return Vec3(pin.velocity + pin.S * (free - pin.velocity));
-  };
-  if (!cloth.pins.empty()) {
-    Vec3 sum = Vec3::Zero();
-    for (const Pin& pin : cloth.pins) sum += held(pin, whole);
-    whole = sum / double(cloth.pins.size());
-  }
+  whole = led_by(cloth.pins, whole);
   for (int i = 0; i < cloth.vertices(); ++i) z.segment<3>(3 * i) = whole;
-  for (const Pin& pin : cloth.pins) z.segment<3>(3 * pin.vertex) = held(pin, whole);
+  for (const Pin& pin : cloth.pins) z.segment<3>(3 * pin.vertex) = pin.held(whole);
 }

@@ -36,11 +36,12 @@ inline void follow(std::span<Hinge> hinges, const VecX& x) {
   for (Hinge& hinge : hinges) hinge.theta = angle(hinge, gather(hinge, x));
 }
 
-// θ before the first step. Where one flap lies flat on the other, θ is π or −π. The positions do not say which
-// of them, and rounding would say it anew for every hinge. So θ is read as if each vertex lay a hair farther
-// from the origin than the vertex before. All hinges then belong to one folded cloth, which can unfold.
+// θ before the first step. Where one flap lies flat on the other, θ is π or −π. The positions do not say
+// which, and rounding would choose for every hinge anew. So θ is read as if each vertex were moved a hair
+// farther along one direction than the vertex before. All hinges then belong to one folded cloth, which can
+// unfold.
 inline void start_angles(std::span<Hinge> hinges, const VecX& x) {
-  const Vec3 direction(0.48, 0.6, 0.64);  // in no plane of a scene
+  const Vec3 direction(0.48, 0.6, 0.64);  // oblique: in no plane of the coordinates
   for (Hinge& hinge : hinges) {
     Vecs<4> y = gather(hinge, x);
     for (int i = 0; i < 4; ++i) y[i] += 1e-6 * hinge.lowest * hinge.vertices[i] * direction;

@@ -18,31 +18,28 @@ inline Spring make_spring(int i, int j, double rest_length, double share = 1) {
   return s;
 }
 
-// The length is smoothed as that of a thread. A spring without length at rest takes 1 m for it.
-inline Length length(const Spring& s, const Vec3& y) {
-  return Length(y, s.rest_length > 0 ? s.rest_length : 1);
-}
-
-// P = I − n nᵀ, the directions across the spring (math/tension.h).
-inline Mat3 across(const Spring& s, const Vecs<1>& y) {
-  const Vec3 n = length(s, y[0]).n;
-  return Mat3::Identity() - n * n.transpose();
-}
-
 //   C = √s (|y| − L),   ∂C/∂y = √s n,   n = y/|y|,   E = s k/2 (|y| − L)²
+//
+// The length is smoothed as that of a thread. A spring without length at rest takes 1 m for it.
 struct Elongation : Condition<1> {
-  Elongation(const Spring& s, const Vec3& y) : sqrt_share(s.sqrt_share), length(::length(s, y)) {
+  Elongation(const Spring& s, const Vec3& y)
+      : sqrt_share(s.sqrt_share), length(y, s.rest_length > 0 ? s.rest_length : 1) {
     C = sqrt_share * (length.value - s.rest_length);
     dCdy = {sqrt_share * length.n};
   }
 
   // ∂²C/∂y² = √s (I − n nᵀ)/|y|
   Mats<1> second() const { return {{{sqrt_share * length.second_derivative()}}}; }
-  Square<1> across() const { return Square<1>(sqrt_share / length.value); }
+  Square<1> across() const { return Square<1>::Ones(); }
 
   double sqrt_share;
   Length length;
 };
+
+// P = ∂²C/∂y²: all of it acts across the spring (math/tension.h).
+inline Mat3 across(const Spring& s, const Vecs<1>& y) {
+  return Elongation(s, y[0]).second()[0][0];
+}
 
 // The springs that are the cloth itself. Code builds them; no scene names them.
 struct SpringTerm : Term {

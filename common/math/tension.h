@@ -1,17 +1,17 @@
 // Tension: what the definite matrix keeps of S = Σ k C ∂²C/∂y², the sum over the conditions of an element.
 //
-//   T_mn = nᵀ S_mn n            where the unit vector n points across the element: it is perpendicular
-//                               to every y
-//   −K   = Σ k ∂C/∂y ∂C/∂yᵀ + T₊ ⊗ P,   P = Σ n nᵀ over the directions across the element
+//   ∂²C/∂y_m∂y_n = c_mn P   across the element, in the directions that are perpendicular to every y
+//   T_mn = Σ k C c_mn
+//   −K   = Σ k ∂C/∂y ∂C/∂yᵀ + T₊ ⊗ P
 //
-// T₊ is T without its negative eigenvalues. Both terms are never negative, and so A = M − h D − h² K is
-// positive definite. A cloth under tension resists whatever pushes it out of its plane. Under pressure it
-// buckles, and the matrix lets it.
+// P has no negative eigenvalues, and T₊ is T without its negative ones. So −K has none either, and
+// A = M − h D − h² K is positive definite. A cloth under tension resists whatever pushes it out of its plane.
+// Under pressure it buckles, and the matrix lets it.
 //
-// For a triangle T is its stress (the second Piola–Kirchhoff stress times the area, J), and P = n nᵀ with
-// its normal n. For a spring T is its tension divided by its length, N/m, and P = I − n nᵀ with its
-// direction n. An element says its P by across(element, y), beside its conditions. The vertices of a hinge
-// leave no direction across, and quadratic bending is linear: they say nothing, and nothing is kept.
+// For a triangle P = n nᵀ with its normal n, and T is its stress, the second Piola–Kirchhoff stress times the
+// area, J. A spring is one thread: P = ∂²C/∂y², and T = k C. A condition says its c by across(), an element
+// its P by across(element, y). The vertices of a hinge leave no direction across, and quadratic bending is
+// linear: they say nothing, and nothing is kept.
 #pragma once
 #include "math/condition.h"
 

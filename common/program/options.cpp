@@ -92,7 +92,7 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
         ->check(positive_integer)
         ->option_text("N");
     app.add_option("--guard", options.method.guard,
-                   "take a step that gains energy again by Newton's method; on if absent")
+                   "repeat a step that gains energy, by Newton's method; on if absent")
         ->transform(
             CLI::CheckedTransformer(std::map<std::string, bool>{{"on", true}, {"off", false}}))
         ->option_text("on|off");

@@ -1,6 +1,6 @@
-// The default settings, from starts that no real cloth reaches. A start holds up to 1e11 J. The
-// first steps release this energy and often add to it, because a single Newton step overshoots. The
-// next steps, however long, bring the cloth back.
+// The default settings, from starts that no real cloth reaches. A start holds up to 1e11 J. A single linear
+// system often adds to this energy, because it overshoots. The guard takes such a step again, and the steps,
+// however long, bring the cloth back.
 #include "support/table.h"
 #include "ways/simulator.h"
 

@@ -1,5 +1,4 @@
-// The guarded step at its extremes: dropped and pressed sheets, folds at π, frames of reference, sizes. Each
-// of these starts threw the cloth out or froze it before the guard, the tension and the sign of flat folds.
+// The guarded step at its extremes: dropped and pressed sheets, pins, folds at π, frames of reference, sizes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,7 +87,7 @@ TEST(GuardedDrop, IsNearerToTheTruthThanOneLinearSystemAndHalvingIsFarther) {
 }
 
 // A sheet whose two sides are held at 70 % of their distance buckles. A little bending makes the flat sheet
-// fold in one step: today's reproducer of a linear system that is not enough.
+// fold in one step, and one linear system is not enough for that.
 TEST(GuardedPress, GainsNoEnergyWithALittleBending) {
   const Mesh mesh = make_grid({1, 1}, {16, 16}, Diagonals::same);
   Model m = model(1e4, 1e4, Gravity::off);
@@ -109,6 +108,25 @@ TEST(GuardedStarts, GainNoEnergy) {
       EXPECT_EQ(run(shot(1e3), {step, ic}, h, 30).gain, 0) << "shot, h = " << h;
       EXPECT_EQ(run(squeezed(1e3), {step, ic}, h, 30).gain, 0) << "squeezed, h = " << h;
     }
+}
+
+// What stands still has only the energy of rounding, and rounding is no gain.
+TEST(GuardedPins, ASheetAtRestIsNeverTakenAgain) {
+  const TestScene scene = sheet(10, Held::by_two_corners, 1e3, 1e3, Gravity::off);
+  for (const int step : {3, 4, 5})
+    EXPECT_EQ(run(scene, {step}, 0.01, 50).counts.redone, 0) << "step " << step;
+}
+
+// One corner is held, one slides along y. The guard compares with a cloth that stands still. If that cloth
+// followed the sliding pin down, it would gain energy, and so could the step.
+TEST(GuardedPins, ACornerThatSlidesGainsNoEnergy) {
+  TestScene scene = sheet(8, Held::free, 1e3, 1e3, Gravity::on);
+  scene.cloth.pins = {Pin(72), Pin(80, Vec3::UnitY().asDiagonal())};
+  for (const int step : {4, 5}) {
+    const Motion guarded = run(scene, {step}, 0.1, 40);
+    EXPECT_EQ(guarded.gain, 0) << "step " << step;
+    EXPECT_GT(guarded.counts.redone, 0) << "step " << step;
+  }
 }
 
 // A sheet that lies folded flat on itself, free and without weight, opens and comes to rest.

@@ -4,6 +4,7 @@
 // Compiled here, not linked, because Eigen's check is compiled into the code that it watches.
 #include "math/incomplete_cholesky.cpp"
 #include "math/multigrid.cpp"
+#include "math/pin.cpp"
 #include "math/pinned_blocks.cpp"
 #include "math/preconditioner.cpp"
 #include "scene/make_cloth.h"

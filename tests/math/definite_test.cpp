@@ -82,6 +82,26 @@ TEST(Definite, KeepsAllOfAStretchedThreadAndNothingOfACompressedOne) {
   }
 }
 
+// A spring is one thread: −K = k ∂C/∂y ∂C/∂yᵀ + max(k C, 0) ∂²C/∂y², to the last bit.
+TEST(Definite, KeepsOfASpringItsOwnTension) {
+  Random random(92);
+  for (int n = 0; n < 500; ++n) {
+    const double rest_length = n % 5 == 0 ? 0 : random.between(0.5, 2);
+    const Spring s = make_spring(0, 1, rest_length, random.between(0.1, 3));
+    Cloth cloth;
+    cloth.mass = cloth.inverse_mass = VecX::Ones(6);
+    cloth.term<SpringTerm>() = SpringTerm(random.between(1, 1e4));
+    cloth.springs.elements = {s};
+    const State state{random.vector(6, 1), VecX::Zero(6)};
+    const double k = cloth.term<SpringTerm>()->k;
+    const Elongation c(s, state.x.head<3>() - state.x.tail<3>());
+    const Mat3 ggT = c.dCdy[0] * c.dCdy[0].transpose();
+    const Mat3 expected = -(k * ggT + std::max(k * c.C, 0.0) * c.second()[0][0]);
+    const MatX K = evaluate(cloth, state, Jacobian::definite).K;
+    EXPECT_EQ(K.topLeftCorner(3, 3), expected) << "spring " << n;
+  }
+}
+
 // The tension of a triangle is its second Piola–Kirchhoff stress S = F⁻¹ P, times its area. P comes from
 // the forces on w_u and w_v, [f_u f_v] = −a P, so T = −(FᵀF)⁻¹ Fᵀ [f_u f_v]: no second derivative.
 TEST(Tension, OfATriangleIsItsSecondPiolaKirchhoffStressTimesItsArea) {

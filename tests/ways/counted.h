@@ -63,14 +63,24 @@ struct CountedMatrix : BlockMatrix {
   long vector() const { return long(sizeof(Vec3) * diagonal.size()); }
 };
 
-inline double counted_potential_energy(const Cloth& cloth, const VecX& x) {
-  ++counting->energies;
-  for_each_family(cloth, [](const auto& family) {
-    for (const auto& element : family.elements)
-      counting->bytes += long(sizeof element + sizeof(Vec3) * element.vertices.size());
-  });
-  return potential_energy(cloth, x);
-}
+struct CountedEnergy : LastEnergy {
+  using LastEnergy::LastEnergy;
+
+  template <class Positions>
+  double at(const Cloth& cloth, const Positions& positions) {
+    if (x != positions) count(cloth);
+    return LastEnergy::at(cloth, positions);
+  }
+
+ private:
+  static void count(const Cloth& cloth) {
+    ++counting->energies;
+    for_each_family(cloth, [](const auto& family) {
+      for (const auto& element : family.elements)
+        counting->bytes += long(sizeof element + sizeof(Vec3) * element.vertices.size());
+    });
+  }
+};
 
 // The bytes of one evaluation of all forces, and of K and D if the step has them. Every
 // element is read, with the positions and velocities of its vertices. Its forces and blocks

@@ -10,7 +10,7 @@
 
 // The steps unchanged, but with matrices and energies that count, and in namespaces of their own.
 #define BlockMatrix CountedMatrix
-#define potential_energy counted_potential_energy
+#define LastEnergy CountedEnergy
 #define step01 counted_step01
 #define step02 counted_step02
 #define step03 counted_step03
