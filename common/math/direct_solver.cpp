@@ -72,6 +72,15 @@ void FreeMatrix::extend(const VecX& free, VecX& all) const {
 
 namespace {
 
+// Where every vertex is pinned there is nothing to solve. CHOLMOD has no factors of a 0 × 0 matrix.
+class NothingFree : public DirectSolver {
+ public:
+  bool solve(const BlockMatrix&, const VecX&, VecX& dv) override {
+    dv.setZero();
+    return true;
+  }
+};
+
 class SparseLdlt : public DirectSolver {
  public:
   SparseLdlt(const BlockMatrix& pattern, const VecX& inverse_mass) : free(pattern, inverse_mass) {
@@ -120,10 +129,12 @@ class Cholmod : public DirectSolver {
   Cholmod(const BlockMatrix& pattern, const VecX& inverse_mass) : free(pattern, inverse_mass) {
     cholesky.cholmod().print = 0;
     cholesky.analyzePattern(free.values);
+    check_memory();
   }
   bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
     free.copy(A);
     cholesky.factorize(free.values);
+    check_memory();
     const bool definite = cholesky.info() == Eigen::Success;
     const VecX rest = free.restrict(b);
     free.extend(definite ? VecX(cholesky.solve(rest)) : indefinite(rest), dv);
@@ -131,6 +142,11 @@ class Cholmod : public DirectSolver {
   }
 
  private:
+  // Eigen takes a lack of memory for an indefinite matrix.
+  void check_memory() {
+    if (cholesky.cholmod().status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+  }
+
   // Cholesky has no factors of an indefinite matrix; LDLᵀ has.
   VecX indefinite(const VecX& b) const {
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper> ldlt(free.values);
@@ -147,6 +163,7 @@ class Cholmod : public DirectSolver {
 std::unique_ptr<DirectSolver> make_direct_solver(const std::string& name,
                                                  const BlockMatrix& pattern,
                                                  const VecX& inverse_mass) {
+  if (inverse_mass.isZero(0)) return std::make_unique<NothingFree>();
   if (name == "ldlt") return std::make_unique<SparseLdlt>(pattern, inverse_mass);
   if (name == "inverse") return std::make_unique<DenseInverse>(pattern, inverse_mass);
 #ifdef LARGE_STEPS_CHOLMOD

@@ -25,6 +25,7 @@ void Log::write(const LogRow& row) {
     file->write(line_of(row, [](const auto& column) { return column.first; }));
   }
   file->write(line_of(row, [](const auto& column) { return text("%.12g", column.second); }));
+  file->keep();
 }
 
 void Log::close() {

@@ -1,5 +1,9 @@
 #include "program/options.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <charconv>
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
@@ -19,9 +23,11 @@ std::string below_one(const std::string& text) {
 
 std::array<int, 2> parse_size(const std::string& text) {
   std::array<int, 2> size{};
-  int end = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &size[0], &size[1], &end) != 2 ||
-      end != int(text.size()))
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size[0]);
+  const bool has_x = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = std::from_chars(width.ptr + has_x, end, size[1]);
+  if (!has_x || height.ec != std::errc() || height.ptr != end)
     throw BadInput("--size: wants WIDTHxHEIGHT, such as 1280x720, not \"" + text + "\"");
   try {
     check_size(size[0], size[1]);
@@ -29,6 +35,40 @@ std::array<int, 2> parse_size(const std::string& text) {
     throw BadInput(std::string("--size: ") + error.what());
   }
   return size;
+}
+
+// One of the names stands for its value. Unlike CLI::CheckedTransformer it takes no value for a name.
+template <class Value>
+CLI::Validator NamedValues(const std::map<std::string, Value>& values) {
+  const auto translate = [values](std::string& name) -> std::string {
+    const auto found = values.find(name);
+    if (found == values.end()) {
+      std::vector<std::string> names;
+      for (const auto& [valid, value] : values) names.push_back(valid);
+      return "wants " + joined(names, " or ") + ", not \"" + name + "\"";
+    }
+    name = std::to_string(int(found->second));
+    return {};
+  };
+  return CLI::Validator(translate, "");
+}
+
+std::string not_empty(const std::string& text) {
+  return text.empty() ? "wants a name, not an empty text" : "";
+}
+
+// A file must not get a descriptor of the standard streams: it would then receive what the program says.
+void open_missing_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", O_RDONLY) != stream) std::abort();
+}
+
+// The pages of --help, --version and --explain are the whole result of their runs.
+int end_of_page(const std::string& program, int code) {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout) return code;
+  std::cerr << program << ": the page could not be written to the standard output\n";
+  return 1;
 }
 
 void declare(CLI::App& app, const Program& program, Options& options, std::string& size) {
@@ -44,6 +84,7 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
       ->option_text("[scene.toml]");
   app.add_option("--out", options.out,
                  "directory of the results; out/" + program.name + " if absent")
+      ->check(not_empty)
       ->option_text("DIR");
   app.add_option("--frames", options.overrides.frames, "number of frames after the start")
       ->check(positive_integer)
@@ -70,6 +111,7 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   app.add_option(
          "--size", size,
          "size of every picture; 1280x720 for the still and half of that for the frames if absent")
+      ->check(not_empty)
       ->option_text("WxH");
   app.add_flag("--wireframe", options.wireframe, "draw the triangles");
   app.add_flag("--caption", options.caption, "write the scene and the time on every picture");
@@ -84,8 +126,8 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   if (program.concepts.implicit) {
     app.add_option("--jacobian", options.method.jacobian,
                    "the matrix: definite, or bw98 as Baraff & Witkin print it; definite if absent")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Jacobian>{
-            {"definite", Jacobian::definite}, {"bw98", Jacobian::bw98}}))
+        ->transform(NamedValues(std::map<std::string, Jacobian>{{"definite", Jacobian::definite},
+                                                                {"bw98", Jacobian::bw98}}))
         ->option_text("definite|bw98");
     app.add_option("--newton", options.method.newton,
                    "largest number of Newton iterations per step; 1 if absent")
@@ -93,8 +135,7 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
         ->option_text("N");
     app.add_option("--guard", options.method.guard,
                    "repeat a step that gains energy, by Newton's method; on if absent")
-        ->transform(
-            CLI::CheckedTransformer(std::map<std::string, bool>{{"on", true}, {"off", false}}))
+        ->transform(NamedValues(std::map<std::string, bool>{{"on", true}, {"off", false}}))
         ->option_text("on|off");
   }
   if (program.concepts.direct)
@@ -126,6 +167,7 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
 
 int run_program(int argc, char** argv, const Program& program,
                 const std::function<int(const Options&)>& simulate) {
+  open_missing_streams();
   CLI::App app(program.name + ": " + program.idea);
   Options options;
   std::string size;
@@ -133,21 +175,22 @@ int run_program(int argc, char** argv, const Program& program,
   try {
     app.parse(argc, argv);
     if (!size.empty()) options.size = parse_size(size);
-    return simulate(options);
+    const int code = simulate(options);
+    return options.explain ? end_of_page(program.name, code) : code;
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    return end_of_page(program.name, app.exit(help));
   } catch (const CLI::ParseError& error) {
     std::cerr << program.name << ": " << one_line(error.what()) << " (--help lists the options)\n";
     return 2;
   } catch (const BadInput& error) {
-    std::cerr << error.what() << "\n";
+    std::cerr << one_line(error.what()) << "\n";
     return 2;
   } catch (const std::invalid_argument& error) {
     std::cerr << program.name << ": " << one_line(error.what()) << "\n";
     return 2;
   } catch (const std::bad_alloc&) {
     std::cerr << program.name << ": not enough memory for this cloth; take fewer cells\n";
-    return 2;
+    return 1;
   } catch (const std::exception& error) {
     std::cerr << program.name << ": " << one_line(error.what()) << "\n";
     return 1;

@@ -18,6 +18,11 @@ std::string other_method(const Options& options) {
   return options.concepts.iterative ? "a smaller --tolerance, or " : "";
 }
 
+// 0.85 or 1.2e+77
+std::string fraction(double part) {
+  return part >= 0.01 && part < 1000 ? text("%.2f", part) : text("%.2g", part);
+}
+
 void warn(const std::string& words) {
   std::printf("  warning: %s\n", words.c_str());
 }
@@ -25,9 +30,10 @@ void warn(const std::string& words) {
 }  // namespace
 
 void Report::start() const {
-  std::printf("%s: %s, %d vertices, %zu triangles, h = %g s, %ld steps to t = %g s\n",
+  std::printf("%s: %s, %d vertices, %zu triangles, h = %g s, %s to t = %.6g s\n",
               options.program.c_str(), scene.file.string().c_str(), scene.cloth.vertices(),
-              scene.mesh.faces.size(), scene.time.h, scene.time.steps(), scene.time.end);
+              scene.mesh.faces.size(), scene.time.h, count(scene.time.steps(), "step").c_str(),
+              double(scene.time.steps()) * scene.time.h);
 }
 
 void Report::critical_step(double h_crit) const {
@@ -36,11 +42,12 @@ void Report::critical_step(double h_crit) const {
     std::printf("  every h is stable: there is no elastic force\n");
     return;
   }
-  std::printf("  stable below h_crit = %.4g s; h is %.2f of it\n", h_crit, h / h_crit);
+  std::printf("  stable below h_crit = %.4g s; h is %s of it\n", h_crit,
+              fraction(h / h_crit).c_str());
+  std::fflush(stdout);
   if (h > 0.9 * h_crit)
     std::fprintf(stderr, "warning: h = %g s is beyond 0.9 h_crit: the cloth %s; try --h %.2g\n", h,
                  h > h_crit ? "will explode" : "may become unstable", 0.8 * h_crit);
-  std::fflush(stdout);
 }
 
 std::string Report::explosion(const RunTotals& run, const std::string& seen) const {
@@ -56,8 +63,9 @@ std::string Report::explosion(const RunTotals& run, const std::string& seen) con
 std::string Report::advice(const RunTotals& run) const {
   const double h = scene.time.h, h_crit = run.h_crit;
   if (h_crit == 0) return "try " + other_method(options) + text("a smaller h than %g s", h);
-  return text("h = %g s is %.2f of the stable step: try --h %.2g, a smaller k or fewer cells", h,
-              h / h_crit, h > h_crit ? 0.8 * h_crit : std::min(0.8 * h_crit, 0.5 * h));
+  return text("h = %g s is %s of the stable step: try --h %.2g, a smaller k or fewer cells", h,
+              fraction(h / h_crit).c_str(),
+              h > h_crit ? 0.8 * h_crit : std::min(0.8 * h_crit, 0.5 * h));
 }
 
 void Report::end(const RunTotals& run, const Watch& watch, const State& state,

@@ -9,6 +9,7 @@ struct RunTotals {
   double seconds = 0;  // of stepping
   double h_crit = 0;   // s, the longest stable step; 0 where the method has none
   Counters counts;
+  long failed = 0;  // steps with a linear system that has no solution
 };
 
 class Report {

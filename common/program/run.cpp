@@ -4,10 +4,9 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 
 #include "program/log.h"
+#include "program/out_directory.h"
 #include "program/pictures.h"
 #include "program/progress.h"
 #include "program/report.h"
@@ -20,28 +19,14 @@ constexpr int explicit_steps_per_sample = 10;
 
 volatile std::sig_atomic_t interrupted = 0;
 
-// The first Ctrl-C ends the run after the step it is in; the second ends it at once.
+// The first Ctrl-C, and a terminal or a reader of the output that goes away, end the run after the step it is in.
+// A second Ctrl-C ends it at once.
 void stop_on_ctrl_c() {
-  for (const int signal : {SIGINT, SIGTERM})
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE})
     std::signal(signal, [](int number) {
       interrupted = 1;
-      std::signal(number, SIG_DFL);
+      std::signal(number, number == SIGPIPE ? SIG_IGN : SIG_DFL);
     });
-}
-
-void require_writable(const std::filesystem::path& directory) {
-  const auto refuse = [&](const std::string& reason) {
-    throw BadInput("--out " + directory.string() + ": " + reason +
-                   "; name a directory that can be written");
-  };
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) refuse(error.message());
-  const std::filesystem::path probe = directory / ".probe.part";
-  const bool written = std::ofstream(probe).put('\n').flush().good();
-  const int reason = errno;
-  std::filesystem::remove(probe, error);
-  if (!written) refuse(std::strerror(reason));
 }
 
 // The frame at the moment that the scene names, or else the last one.
@@ -84,7 +69,8 @@ struct Run::Impl {
   using Clock = std::chrono::steady_clock;
 
   Impl(const Options& options_, const Scene& scene_)
-      : options(options_), scene(scene_), report(options, scene), watch(scene),
+      : options(options_), scene(scene_), directory(options.out), report(options, scene),
+        watch(scene),
         pictures(options.pictures ? std::make_unique<Pictures>(options, scene) : nullptr),
         log(options.out / "log.csv"), progress(scene.time.steps()),
         still_frame(still_frame_of(scene)) {}
@@ -113,6 +99,7 @@ struct Run::Impl {
 
   const Options& options;
   const Scene& scene;
+  OutDirectory directory;
   Report report;
   Watch watch;
   std::unique_ptr<Pictures> pictures;
@@ -126,7 +113,6 @@ struct Run::Impl {
 };
 
 Run::Run(const Options& options, const Scene& scene) {
-  require_writable(options.out);
   impl = std::make_unique<Impl>(options, scene);
   impl->report.start();
 }
@@ -145,6 +131,7 @@ bool Run::before_frame(int frame) const {
 
 void Run::check(const State& state, const Counters& counts) {
   Impl& r = *impl;
+  if (counts.indefinite > r.run.counts.indefinite) ++r.run.failed;
   r.run.counts = counts;
   r.progress.show(++r.run.steps);
   if (!state.x.allFinite()) r.explode("a position is not finite");
@@ -159,6 +146,7 @@ void Run::record(int frame, const State& state) {
   r.run.seconds += seconds;
 
   const Sample& sample = r.sample(state);
+  if (frame == 0) r.directory.remove_earlier_run();
   r.log.write(log_row(frame, r.time(), sample, r.run.counts, r.watch.gained, seconds));
   if (r.pictures) {
     r.pictures->frame(frame, state.x, r.time());
@@ -177,5 +165,10 @@ int Run::finish(const State& state) {
   write_obj(r.options.out / "final.obj", r.scene.mesh, state.x);
   write_velocities(r.options.out / "final_velocities.csv", state.v);
   r.report.end(r.run, r.watch, state, interrupted);
+  if (r.run.steps > 0 && r.run.failed == r.run.steps &&
+      r.options.method.jacobian == Jacobian::definite)
+    throw std::runtime_error("the linear systems failed in all " + count(r.run.steps, "step") +
+                             ", so this is no result: the numbers of the scene are too far apart; "
+                             "check k, density, size and h");
   return interrupted ? 130 : 0;
 }

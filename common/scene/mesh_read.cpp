@@ -1,15 +1,14 @@
 #include <tiny_obj_loader.h>
 
-#include "scene/check_obj.h"
 #include "scene/mesh.h"
+#include "scene/plain_obj.h"
 #include "text/bad_input.h"
 #include "text/text_file.h"
 
 namespace {
 
 tinyobj::ObjReader read(const std::filesystem::path& path) {
-  const std::string text = read_text(path);
-  check_obj(text, path);
+  const std::string text = plain_obj(read_text(path), path);
   tinyobj::ObjReaderConfig config;
   config.triangulate = false;
   tinyobj::ObjReader reader;
@@ -22,7 +21,7 @@ VecX positions(const tinyobj::attrib_t& file) {
   return Eigen::Map<const VecX>(file.vertices.data(), Eigen::Index(file.vertices.size()));
 }
 
-// Either all corners of a face have one or none (check_obj.h).
+// Either all corners of a face have one or none (plain_obj.h).
 bool has_uv(const tinyobj::index_t& corner) {
   return corner.texcoord_index >= 0;
 }

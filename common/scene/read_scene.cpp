@@ -2,6 +2,7 @@
 
 #include "scene/make_cloth.h"
 #include "scene/scene_file.h"
+#include "text/text.h"
 
 namespace {
 
@@ -14,10 +15,11 @@ Time read_time(const SceneFile& scene) {
   Time time;
   time.h = table.number("h", Range::positive);
   time.end = table.number("end", Range::positive);
-  if (table.has("frames")) time.frames = table.whole_number("frames");
+  if (table.has("frames")) time.frames = table.whole_number("frames", most_frames);
+  if (time.h > time.end * (1 + 1e-6))
+    table.refuse("h", "it must not be longer than end = " + shortest(time.end) + " s");
   if (!(time.end / time.h <= most_steps))
     table.refuse("end", "end / h is more than 1e9 steps; take a larger h or a smaller end");
-  if (time.frames > most_frames) table.refuse("frames", "it must be from 1 to 9999");
   return time;
 }
 

@@ -53,7 +53,7 @@ void check_keys(const TomlTable& table, const TermInfo& term) {
   if (table.has("B") && table.has("k"))
     table.refuse("B", "k follows from B; take out one of the two");
   if (!table.has("B") && !table.has("k"))
-    table.refuse_table("needs k = a number not less than 0, or B, the modulus that k follows from");
+    table.refuse_table("needs k = a number from 0 to 1e30, or B, the modulus that k follows from");
 }
 
 template <class T>

@@ -11,14 +11,18 @@
 
 namespace {
 
+// Matrices and scalar products hold products of up to six such numbers; 1e±308 is the end of double.
+constexpr double largest = 1e30;
+
 bool is_in(double value, Range range) {
-  return std::isfinite(value) && (range != Range::positive || value > 0) &&
-         (range != Range::not_negative || value >= 0);
+  return std::abs(value) <= largest &&
+         (value == 0 || range != Range::positive || value >= 1 / largest) &&
+         (range != Range::positive || value > 0) && (range != Range::not_negative || value >= 0);
 }
 
 std::string words(Range range) {
-  if (range == Range::positive) return " greater than 0";
-  return range == Range::not_negative ? " not less than 0" : "";
+  if (range == Range::positive) return " from 1e-30 to 1e30";
+  return range == Range::not_negative ? " from 0 to 1e30" : " from -1e30 to 1e30";
 }
 
 bool read_number(const toml::node& node, Range range, double& number) {
@@ -27,11 +31,11 @@ bool read_number(const toml::node& node, Range range, double& number) {
   return is_in(number, range);
 }
 
-bool read_whole(const toml::node& node, int& number) {
+bool read_whole(const toml::node& node, int most, int& number) {
   if (!node.is_integer()) return false;
   const int64_t value = *node.value<int64_t>();
   number = int(value);
-  return value >= 1 && value <= std::numeric_limits<int>::max();
+  return value >= 1 && value <= most;
 }
 
 // Reads `count` elements with read_one; false where the node is no such list.
@@ -44,18 +48,34 @@ bool read_list(const toml::node& node, int count, Number* numbers, const Read& r
   return true;
 }
 
+// Numbers as short as the file has them; 2.0 keeps its point.
+void show(const toml::node& node, std::ostream& out) {
+  if (const auto number = node.value_exact<double>()) {
+    const std::string digits = shortest(*number);
+    out << digits << (digits.find_first_not_of("-0123456789") == digits.npos ? ".0" : "");
+  } else if (const toml::array* list = node.as_array()) {
+    out << "[";
+    for (const toml::node& entry : *list) {
+      if (&entry != &list->front()) out << ", ";
+      show(entry, out);
+    }
+    out << "]";
+  } else {
+    node.visit([&](const auto& value) { out << value; });
+  }
+}
+
 // The value as the file has it; a long one only from its beginning.
 std::string shown(const toml::node& node) {
   std::ostringstream out;
-  if (const auto number = node.value_exact<double>())  // as short as the file has it
-    out << shortest(*number);
-  else
-    node.visit([&](const auto& value) { out << value; });
+  show(node, out);
   const std::string all = one_line(out.str());
   return all.size() <= 60 ? all : all.substr(0, 57) + "...";
 }
 
-constexpr const char* whole_words = "from 1 to 2147483647";
+std::string up_to(int most) {
+  return "from 1 to " + std::to_string(most);
+}
 
 }  // namespace
 
@@ -129,19 +149,20 @@ Vec3 TomlTable::three_numbers(std::string_view key, const std::string& what) con
   return v;
 }
 
-int TomlTable::whole_number(std::string_view key) const {
-  const std::string what = std::string("a whole number ") + whole_words;
+int TomlTable::whole_number(std::string_view key, int most) const {
+  const std::string what = "a whole number " + up_to(most);
   const toml::node& node = need(key, what);
   int number = 0;
-  if (!read_whole(node, number)) refuse(key, node, "it must be " + what);
+  if (!read_whole(node, most, number)) refuse(key, node, "it must be " + what);
   return number;
 }
 
 std::array<int, 2> TomlTable::two_whole_numbers(std::string_view key) const {
-  const std::string what = std::string("two whole numbers ") + whole_words + ", like [40, 40]";
+  constexpr int most = std::numeric_limits<int>::max();
+  const std::string what = "two whole numbers " + up_to(most) + ", like [40, 40]";
   const toml::node& node = need(key, what);
   std::array<int, 2> numbers;
-  if (!read_list(node, 2, numbers.data(), [](auto& n, int& i) { return read_whole(n, i); }))
+  if (!read_list(node, 2, numbers.data(), [](auto& n, int& i) { return read_whole(n, most, i); }))
     refuse(key, node, "it must be " + what);
   return numbers;
 }

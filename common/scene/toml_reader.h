@@ -32,7 +32,7 @@ class TomlTable {
   Vec2 two_numbers(std::string_view key, Range range) const;
   Vec3 three_numbers(std::string_view key,
                      const std::string& what = "three numbers, like [0.0, 1.0, 0.0]") const;
-  int whole_number(std::string_view key) const;  // from 1
+  int whole_number(std::string_view key, int most) const;  // from 1
   std::array<int, 2> two_whole_numbers(std::string_view key) const;
   std::string one_of(std::string_view key, const Names& valid) const;
   std::filesystem::path existing_file(std::string_view key) const;  // relative to the scene's

@@ -9,10 +9,24 @@
 
 namespace {
 
+// Not the first byte of a character in UTF-8.
+bool is_inside_a_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+}
+
 size_t width_of(const std::string& words) {
-  return size_t(std::count_if(words.begin(), words.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;  // only the first byte of a character
-  }));
+  return words.size() - size_t(std::count_if(words.begin(), words.end(), is_inside_a_character));
+}
+
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
+std::string escaped(char c) {
+  if (c == '\n') return "\\n";
+  if (c == '\r') return "\\r";
+  if (c == '\t') return "\\t";
+  return text("\\x%02x", unsigned(c));
 }
 
 }  // namespace
@@ -36,9 +50,13 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bet
 
 std::string one_line(std::string words) {
   while (!words.empty() && std::isspace(static_cast<unsigned char>(words.back()))) words.pop_back();
-  for (char& c : words)
-    if (c == '\n' || c == '\r') c = ' ';
-  return words;
+  std::string line;
+  for (const char c : words) line += is_control(c) ? escaped(c) : std::string(1, c);
+  if (line.size() <= 300) return line;
+  size_t begin = 200, end = line.size() - 95;
+  while (is_inside_a_character(line[begin])) --begin;
+  while (is_inside_a_character(line[end])) ++end;
+  return line.substr(0, begin) + " ... " + line.substr(end);
 }
 
 std::string count(long number, const std::string& thing) {

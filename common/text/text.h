@@ -7,7 +7,9 @@
 [[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
 
 std::string joined(const std::vector<std::string>& parts, const std::string& between);
-std::string one_line(std::string words);  // line ends become spaces; none at the end
+// Words for a terminal: control characters are shown as escapes, \n or \x1b, and of more than 300 bytes only the
+// beginning and the end are kept.
+std::string one_line(std::string words);
 
 std::string count(long number, const std::string& thing);  // 1 step, 2 steps
 std::string shortest(double number);  // the fewest digits that give the same number again

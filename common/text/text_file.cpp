@@ -28,6 +28,7 @@ std::string no_file(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return "there is no such file";
   if (std::filesystem::is_directory(path, error)) return "this is a directory, a file is needed";
+  if (!std::filesystem::is_regular_file(path, error)) return "this is no regular file";
   return "";
 }
 
@@ -51,7 +52,8 @@ void append_number(std::string& text, double number) {
 bool take_number(std::string_view& text, double& number) {
   size_t begin = text.find_first_not_of(" \t");
   if (begin == text.npos) return false;
-  if (text[begin] == '+') ++begin;  // legal in most formats, but not for from_chars
+  if (text[begin] == '+' && !text.substr(begin + 1).starts_with('-'))
+    ++begin;  // legal in most formats, but not for from_chars
   const char* const end = text.data() + text.size();
   double value = 0;
   const std::from_chars_result read = std::from_chars(text.data() + begin, end, value);
@@ -63,9 +65,8 @@ bool take_number(std::string_view& text, double& number) {
 
 bool take_line(std::string_view& text, std::string_view& line) {
   if (text.empty()) return false;
-  const size_t end = text.find('\n');
-  line = text.substr(0, end);
-  text.remove_prefix(end == text.npos ? text.size() : end + 1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
+  line = text.substr(0, text.find_first_of("\r\n"));
+  text.remove_prefix(line.size());
+  text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
   return true;
 }

@@ -21,5 +21,5 @@ void append_number(std::string& text, double number);
 // same bits.
 bool take_number(std::string_view& text, double& number);
 
-// Takes one line from the front of `text`, without its end. False at the end of the text.
+// Takes one line from the front of `text`, without its end: LF, CR LF or CR. False at the end of the text.
 bool take_line(std::string_view& text, std::string_view& line);

@@ -13,10 +13,21 @@ WholeFile::WholeFile(const std::filesystem::path& path_)
 }
 
 WholeFile::~WholeFile() {
-  if (!file) return;
-  std::fclose(file);
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
+  if (file) abandon();
+}
+
+void WholeFile::keep() {
+  kept = std::ftell(file);
+}
+
+void WholeFile::abandon() {
+  if (file) std::fclose(std::exchange(file, nullptr));
+  std::error_code error;
+  if (kept > 0) std::filesystem::resize_file(part, std::uintmax_t(kept), error);
+  if (kept > 0 && !error)
+    std::filesystem::rename(part, path, error);
+  else
+    std::filesystem::remove(part, error);
 }
 
 void WholeFile::write(std::string_view bytes) {
@@ -33,8 +44,6 @@ void WholeFile::finish() {
 }
 
 void WholeFile::fail(const std::string& reason) {
-  if (file) std::fclose(std::exchange(file, nullptr));
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
+  abandon();
   throw CannotWrite(path, reason);
 }

@@ -16,18 +16,21 @@ struct CannotWrite : std::runtime_error {
 class WholeFile {
  public:
   explicit WholeFile(const std::filesystem::path&);
-  ~WholeFile();  // without finish(): nothing is left
+  ~WholeFile();  // without finish(): only what was kept is left
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
   void write(std::string_view bytes);  // up to the disk
   void finish();
+  void keep();  // what is written so far stays under its name, even if the rest cannot be written
   bool is_open() const { return file; }
   std::FILE* stream() const { return file; }  // for a library that writes by itself
 
  private:
+  void abandon();
   [[noreturn]] void fail(const std::string& reason);
 
   std::filesystem::path path, part;
   std::FILE* file;
+  long kept = 0;  // bytes
 };

@@ -154,7 +154,7 @@ TEST_F(BendScene, BadValuesAreRefusedWithWhatIsValid) {
               {line + "B = 1", "springs have no bending modulus", "k in N/m"});
   for (const std::string key : {"k", "B"})
     for (const std::string value : {"-1", "nan", "inf", "\"stiff\"", "[1]"})
-      expect_says(bend(key + " = " + value), {line + key + " = ", "a number not less than 0"});
+      expect_says(bend(key + " = " + value), {line + key + " = ", "a number from 0 to 1e30"});
   expect_says(bend("k = 1\nangle = 2"),
               {"scene.toml:11: [bend] has no key angle", "Valid are model, k, B"});
 }
@@ -162,7 +162,7 @@ TEST_F(BendScene, BadValuesAreRefusedWithWhatIsValid) {
 TEST_F(BendScene, NeitherKNorBIsRefusedNamingBoth) {
   for (const std::string keys : {"", "model = \"bridson\""})
     expect_says(refused(grid + "[bend]\n" + keys),
-                {"scene.toml:9: [bend] needs k = a number not less than 0, or B, the modulus"});
+                {"scene.toml:9: [bend] needs k = a number from 0 to 1e30, or B, the modulus"});
 }
 
 TEST_F(BendScene, DampingWithoutTheTableIsRefusedWithWhatTheStepKnows) {

@@ -178,6 +178,23 @@ TEST_F(MeshTest, AFileThatCannotBeWrittenLeavesNothingAndSaysWhy) {
   EXPECT_FALSE(std::filesystem::exists(directory / "full"));
 }
 
+// Ends of lines are LF, CR LF or CR. A comment may stand behind data. Other lines are skipped.
+TEST_F(MeshTest, OneReaderDecidesWhatALineIs) {
+  const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n", faces = "f 1 2 3\nf 2 4 3\n";
+  const Mesh plain = read_obj(write("plain.obj", v + faces));
+  std::string returns = "# vertices\n" + v + faces;
+  std::replace(returns.begin(), returns.end(), '\n', '\r');
+  const std::string one = "1" + std::string(400, '0') + "e-400";
+  for (const std::string& text :
+       {returns, v + "f 1 2 3# 4\nf 2 4 3 # 99999999 9 9", v + "f 1//0 2//0 3//0\nf 2 4 3",
+        v + "l -99 0\nvw 0 1e308 1\np 77\n" + faces,
+        "v 0 0 0\nv " + one + " 0 0\nv 0 1 0\nv 1 1 0\n" + faces}) {
+    const Mesh mesh = read_obj(write("m.obj", text));
+    EXPECT_EQ(mesh.faces, plain.faces) << text;
+    EXPECT_EQ(mesh.x, plain.x) << text;
+  }
+}
+
 struct BadObj {
   std::string text, said, valid;
 };
@@ -206,6 +223,10 @@ TEST_F(MeshTest, WhatIsNoMeshOfTrianglesIsRefusedWithFileLineAndReason) {
       {v + "v 0 inf 0\n", "m.obj:6: ", "three finite numbers"},
       {v + "v 0 1e400 0\n", "m.obj:6: ", "three finite numbers"},
       {v + "v 0 0 0m\n", "m.obj:6: ", "three finite numbers"},
+      {v + "v 0 +-1 0\n", "m.obj:6: ", "three finite numbers"},
+      {v + "# x\rf 1 2 9\n", "m.obj:7: the face names a vertex that does not", "1 to 5"},
+      {v + "f 1 2 3# 4\nf 1 2 3 4 # 5", "m.obj:7: ", "a triangle"},
+      {"\xEF\xBB\xBF" + v + "f 1 2 3", "m.obj:1: ", "byte order mark"},
       {v + "vt 0 nan\n", "m.obj:6: ", "two finite numbers"},
       {v + "f 1 2 2", "m.obj: face 0 (vertices 0, 1, 1", "three different"},
       {v + "v 2 0 0\nf 1 2 3\nf 1 2 6", "m.obj: face 1 (vertices 0, 1, 5", "no area"},

@@ -42,11 +42,9 @@ class StopsTest : public ProgramTest {
     EXPECT_NE(full.err.find("out/" + file), std::string::npos) << full.err;
     EXPECT_NE(full.err.find("File too large"), std::string::npos) << full.err;
     const std::vector<std::string> files = files_in(directory / "out");
-    EXPECT_EQ(count_starting(files, file, ""), 0) << "part of it is left";
     EXPECT_EQ(count_starting(files, "", ".part"), 0);
-    if (file != "log.csv") {
-      EXPECT_GE(read_table(directory / "out/log.csv")["frame"].size(), 1u);
-    }
+    EXPECT_EQ(count_starting(files, file, ""), file == "log.csv" ? 1 : 0) << "part of it is left";
+    EXPECT_GE(read_table(directory / "out/log.csv")["frame"].size(), 1u) << "every whole row stays";
   }
 };
 class ExplosionTest : public StopsTest {};
@@ -128,8 +126,9 @@ TEST_P(ExplosionTest, BeyondTheStableStepItBreaksOffAndSaysWhatToTry) {
   expect_done(advised);
 }
 
+// A terminal that is closed sends SIGHUP; a reader of the output that ends, SIGPIPE.
 TEST_P(StopsTest, CtrlCFinishesTheLogTheFilmAndTheLastState) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
     std::filesystem::remove_all(directory / "out");
     Running running(GetParam().path,
                     {GetParam().square(), "--end", "1000", "--frames", "9999", "--size", "80x45",
@@ -156,6 +155,74 @@ TEST_P(StopsTest, CtrlCFinishesTheLogTheFilmAndTheLastState) {
     const double time = number_after(outcome.out, "hold the cloth at t = ");
     EXPECT_GE(time, log.at("time").back());
     EXPECT_NE(outcome.out.find("stopped: "), std::string::npos) << outcome.out;
+  }
+}
+
+TEST_P(StopsTest, TwoRunsNeverWriteIntoOneDirectory) {
+  const Arguments endless = {GetParam().square(), "--end", "1000", "--frames", "9999",
+                             "--no-pictures",     "--out", "out"};
+  {
+    Running first(GetParam().path, endless, directory);
+    ASSERT_TRUE(first.wait_for_output("frame 0 of", 60));
+    const Outcome second = run(small_square(4, {"--end", "0.01", "--out", "out"}));
+    EXPECT_EQ(second.code, 2);
+    EXPECT_NE(second.err.find("--out out: another run writes there"), std::string::npos)
+        << second.err;
+    first.send(SIGKILL);
+    EXPECT_EQ(first.wait(20).code, -1);
+  }
+  EXPECT_EQ(count_starting(files_in(directory / "out"), "", ".part"), 1);
+  expect_done(small_square(4, {"--end", "0.01", "--no-pictures", "--out", "out"}));
+  EXPECT_EQ(count_starting(files_in(directory / "out"), "", ".part"), 0)
+      << "a run that was killed blocks nobody";
+}
+
+TEST_P(StopsTest, FilesOfAnEarlierRunGoWhenTheFirstFrameComes) {
+  std::filesystem::create_directory(directory / "out");
+  for (const char* name : {"frame_0099.png", "frame_0099.obj", "film.png", "notes.txt"})
+    write(std::string("out/") + name, "old");
+  const Arguments small = small_square(4, {"--end", "0.01", "--no-pictures", "--out", "out"});
+  Arguments refused = small;
+  refused.insert(refused.end(), {"--h", "1"});
+  EXPECT_EQ(run(refused).code, 2);
+  EXPECT_EQ(files_in(directory / "out").size(), 4u) << "a run that fails touches nothing";
+  expect_done(small);
+  EXPECT_EQ(
+      files_in(directory / "out"),
+      (std::vector<std::string>{"final.obj", "final_velocities.csv", "log.csv", "notes.txt"}));
+}
+
+TEST_P(StopsTest, ADirectoryWithTheNameOfAResultIsRefusedAtOnce) {
+  std::filesystem::create_directories(directory / "out/final.obj");
+  const Outcome outcome = run(small_square(4, {"--out", "out"}));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("final.obj is a directory"), std::string::npos) << outcome.err;
+  EXPECT_EQ(files_in(directory / "out"), std::vector<std::string>{"final.obj"});
+}
+
+// The log must not get the descriptor of the standard output.
+TEST_P(StopsTest, WithTheStandardOutputClosedTheResultsAreTheSame) {
+  const auto shell = [&](const std::string& out, const std::string& redirect) {
+    std::string command = "exec '" + GetParam().path.string() + "'";
+    for (const std::string& word : small_square(4, {"--end", "0.01", "--no-pictures"}))
+      command += " '" + word + "'";
+    return Running("/bin/sh", {"-c", command + " --out " + out + redirect}, directory).wait(60);
+  };
+  EXPECT_EQ(shell("open", "").code, 0);
+  EXPECT_EQ(shell("closed", " >&-").code, 0);
+  Table open = read_table(directory / "open/log.csv"),
+        closed = read_table(directory / "closed/log.csv");
+  open.erase("milliseconds"), closed.erase("milliseconds");
+  EXPECT_EQ(open, closed);
+}
+
+TEST_P(StopsTest, APageThatIsLostIsAnError) {
+  for (const std::string page : {"--help", "--version", "--explain --cells 4 --end 0.01"}) {
+    const std::string command = "exec '" + GetParam().path.string() + "' '" +
+                                GetParam().square().string() + "' " + page + " > /dev/full";
+    const Outcome outcome = Running("/bin/sh", {"-c", command}, directory).wait(120);
+    EXPECT_EQ(outcome.code, 1) << page;
+    EXPECT_NE(outcome.err.find("could not be written"), std::string::npos) << outcome.err;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "scene/check_obj.h"
+#include "scene/plain_obj.h"
 
 #include <algorithm>
 #include <array>
@@ -25,6 +25,7 @@ struct FaceLine {
 struct ObjFile {
   size_t positions = 0, uv = 0;  // lines so far
   std::vector<FaceLine> faces;
+  std::string plain;  // the v and vt lines so far
 };
 
 constexpr std::string_view blanks = " \t";
@@ -36,10 +37,14 @@ std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-// A weight or a colour may follow the numbers; both are skipped.
-bool are_numbers(std::string_view line, int count) {
-  for (double number = 0; count > 0; --count)
+// A weight or a colour may follow the numbers; both are left out.
+bool copy_numbers(std::string_view keyword, std::string_view line, int count, std::string& plain) {
+  plain += keyword;
+  for (double number = 0; count > 0; --count) {
     if (!take_number(line, number)) return false;
+    append_number(plain += ' ', number);
+  }
+  plain += '\n';
   return line.empty() || blanks.find(line[0]) != blanks.npos;
 }
 
@@ -86,8 +91,10 @@ std::string read_line(std::string_view line, int number, ObjFile& file) {
   const std::string_view keyword = take_word(line);
   file.positions += keyword == "v";
   file.uv += keyword == "vt";
-  if (keyword == "v" && !are_numbers(line, 3)) return "v and three finite numbers, in m";
-  if (keyword == "vt" && !are_numbers(line, 2)) return "vt and two finite numbers, in m";
+  if (keyword == "v" && !copy_numbers(keyword, line, 3, file.plain))
+    return "v and three finite numbers, in m";
+  if (keyword == "vt" && !copy_numbers(keyword, line, 2, file.plain))
+    return "vt and two finite numbers, in m";
   if (keyword == "f" && !take_triangle(line, file, file.faces.emplace_back(FaceLine{number, {}})))
     return "a triangle: f and three corners, like f 1 2 3 or f 1/1 2/2 3/3";
   return "";
@@ -114,10 +121,24 @@ std::string misfit(const FaceLine& face, const ObjFile& file) {
   return "";
 }
 
+void append_face(const FaceLine& face, std::string& plain) {
+  plain += 'f';
+  for (const Corner& corner : face.corners) {
+    plain += ' ' + std::to_string(corner.vertex + 1);
+    if (corner.uv) plain += '/' + std::to_string(*corner.uv + 1);
+  }
+  plain += '\n';
+}
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 }  // namespace
 
-void check_obj(std::string_view text, const std::filesystem::path& source) {
+std::string plain_obj(std::string_view text, const std::filesystem::path& source) {
   const auto at = [&](int line) { return source.string() + ":" + std::to_string(line) + ": "; };
+  if (text.starts_with(byte_order_mark))
+    throw BadInput(at(1) +
+                   "a byte order mark stands before the first line; save the file without it");
   ObjFile file;
   std::string_view line;
   for (int number = 1; take_line(text, line); ++number) {
@@ -128,5 +149,7 @@ void check_obj(std::string_view text, const std::filesystem::path& source) {
   for (const FaceLine& face : file.faces) {
     const std::string reason = misfit(face, file);
     if (!reason.empty()) throw BadInput(at(face.number) + "the face names " + reason);
+    append_face(face, file.plain);
   }
+  return file.plain;
 }

@@ -1,0 +1,24 @@
+// The directory of the results of one run.
+#pragma once
+#include <filesystem>
+
+class OutDirectory {
+ public:
+  // Creates the directory. Throws BadInput where it cannot be written, where a directory has the name of a file
+  // of a run, or while another run writes there. The system frees the lock of a run that ends, however it ends.
+  explicit OutDirectory(const std::filesystem::path&);
+  ~OutDirectory();
+  OutDirectory(const OutDirectory&) = delete;
+  OutDirectory& operator=(const OutDirectory&) = delete;
+
+  // Removes log.csv, pictures and meshes of an earlier run, so that none is taken for one of this run.
+  void remove_earlier_run() const;
+
+ private:
+  [[noreturn]] void refuse(const std::string& reason) const;
+  void create() const;
+  void lock();
+
+  std::filesystem::path path;
+  int descriptor = -1;
+};
