@@ -6,11 +6,13 @@
 #include <charconv>
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <csignal>
 #include <iostream>
 #include <map>
 
 #include "picture/renderer.h"
 #include "program/option_checks.h"
+#include "scene/scene.h"
 #include "text/bad_input.h"
 
 namespace {
@@ -61,6 +63,15 @@ std::string not_empty(const std::string& text) {
 void open_missing_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", O_RDONLY) != stream) std::abort();
+}
+
+// A large cloth takes minutes until the first line of its run: after a second a line says so.
+void announce_long_set_up() {
+  std::signal(SIGALRM, [](int) {
+    constexpr std::string_view words = "reading the scene and setting up the run ...\n";
+    (void)!write(STDOUT_FILENO, words.data(), words.size());
+  });
+  alarm(1);
 }
 
 // The pages of --help, --version and --explain are the whole result of their runs.
@@ -163,22 +174,85 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   app.set_version_flag("--version", program.name + " (Large Steps " LARGE_STEPS_VERSION ")");
 }
 
+// The options in words; those of the scene (--h, --cells, …) stand in the scene itself.
+std::vector<std::string> words_of(const Options& o) {
+  std::vector<std::string> words;
+  if (o.concepts.implicit) {
+    words.push_back(std::string("--jacobian=") +
+                    (o.method.jacobian == Jacobian::bw98 ? "bw98" : "definite"));
+    words.push_back("--newton=" + std::to_string(o.method.newton));
+    words.push_back(std::string("--guard=") + (o.method.guard ? "on" : "off"));
+  }
+  if (o.concepts.direct) words.push_back("--solver=" + o.method.solver);
+  if (o.concepts.iterative) {
+    words.push_back("--preconditioner=" + o.method.preconditioner);
+    words.push_back("--tolerance=" + shortest(o.method.tolerance));
+    words.push_back("--max-iterations=" + std::to_string(o.method.max_iterations));
+  }
+  if (!o.pictures) words.push_back("--no-pictures");
+  if (o.size) words.push_back(text("--size=%dx%d", (*o.size)[0], (*o.size)[1]));
+  if (o.wireframe) words.push_back("--wireframe");
+  if (o.caption) words.push_back("--caption");
+  if (o.strain_scale) words.push_back("--strain=" + shortest(*o.strain_scale));
+  if (o.export_obj) words.push_back("--export=obj");
+  return words;
+}
+
+// --help or --version is printed, and nothing is left to do.
+struct PageIsPrinted {
+  int code;
+};
+
+struct CommandLine {
+  CommandLine(const Program& program, const std::string& command, std::vector<std::string> words)
+      : app(program.name + ": " + program.idea, command) {
+    declare(app, program, options, size);
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    try {
+      app.parse(std::move(words));
+    } catch (const CLI::Success& page) {
+      throw PageIsPrinted{app.exit(page)};
+    }
+    if (!size.empty()) options.size = parse_size(size);
+  }
+  bool has(const std::string& word) const {
+    const CLI::Option* option = app.get_option_no_throw(word.substr(0, word.find('=')));
+    return option && option->count() > 0;
+  }
+
+  CLI::App app;
+  Options options;
+  std::string size;
+};
+
+// The options of the command line, and those of the scene's [run] that the command line does not give.
+Options read_options(const Program& program, const std::string& command,
+                     const std::vector<std::string>& words) {
+  const CommandLine given(program, command, words);
+  std::vector<std::string> all = words;
+  for (const std::string& word : options_of_run(given.options.scene, program.name))
+    if (!given.has(word)) all.push_back(word);
+  return all.size() == words.size() ? given.options : CommandLine(program, command, all).options;
+}
+
 }  // namespace
+
+std::string run_toml(const Options& options, const std::string& effective_scene) {
+  return "# " + options.program + " run.toml makes this run again.\n[run]\nprogram = '" +
+         options.program + "'\nversion = '" LARGE_STEPS_VERSION "'\noptions = ['" +
+         joined(words_of(options), "', '") + "']\n" + effective_scene;
+}
 
 int run_program(int argc, char** argv, const Program& program,
                 const std::function<int(const Options&)>& simulate) {
   open_missing_streams();
-  CLI::App app(program.name + ": " + program.idea);
-  Options options;
-  std::string size;
-  declare(app, program, options, size);
   try {
-    app.parse(argc, argv);
-    if (!size.empty()) options.size = parse_size(size);
+    const Options options = read_options(program, argv[0], {argv + 1, argv + argc});
+    if (!options.explain) announce_long_set_up();
     const int code = simulate(options);
     return options.explain ? end_of_page(program.name, code) : code;
-  } catch (const CLI::Success& help) {
-    return end_of_page(program.name, app.exit(help));
+  } catch (const PageIsPrinted& page) {
+    return end_of_page(program.name, page.code);
   } catch (const CLI::ParseError& error) {
     std::cerr << program.name << ": " << one_line(error.what()) << " (--help lists the options)\n";
     return 2;

@@ -14,8 +14,8 @@
 
 namespace {
 
-constexpr std::string_view files_of_a_run[] = {"log.csv", "film.png", "still.png", "final.obj",
-                                               "final_velocities.csv"};
+constexpr std::string_view files_of_a_run[] = {
+    "log.csv", "film.png", "still.png", "final.obj", "final_velocities.csv", "run.toml"};
 
 // frame_0000.png, frame_0000.obj, …
 bool is_frame(std::string_view name) {

@@ -1,5 +1,7 @@
 #include "program/run.h"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -12,6 +14,7 @@
 #include "program/report.h"
 #include "scene/velocities.h"
 #include "text/text.h"
+#include "text/text_file.h"
 
 namespace {
 
@@ -113,6 +116,7 @@ struct Run::Impl {
 };
 
 Run::Run(const Options& options, const Scene& scene) {
+  alarm(0);  // the set-up is done (options.cpp)
   impl = std::make_unique<Impl>(options, scene);
   impl->report.start();
 }
@@ -146,7 +150,10 @@ void Run::record(int frame, const State& state) {
   r.run.seconds += seconds;
 
   const Sample& sample = r.sample(state);
-  if (frame == 0) r.directory.remove_earlier_run();
+  if (frame == 0) {
+    r.directory.remove_earlier_run();
+    write_text(r.options.out / "run.toml", run_toml(r.options, r.scene.effective));
+  }
   r.log.write(log_row(frame, r.time(), sample, r.run.counts, r.watch.gained, seconds));
   if (r.pictures) {
     r.pictures->frame(frame, state.x, r.time());

@@ -27,7 +27,7 @@ class Run {
   void record(int frame, const State&);
 
   // Writes film.png, final.obj and final_velocities.csv, and prints the last lines. Returns the
-  // exit code.
+  // exit code. Throws, once all is written, if the linear systems of every step failed.
   int finish(const State&);
 
  private:

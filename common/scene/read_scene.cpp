@@ -69,6 +69,7 @@ Scene read_scene(const std::filesystem::path& path, const std::string& program,
   const SceneFile file(path, program, overrides);
   Scene scene;
   scene.file = path;
+  scene.effective = file.effective();
   scene.time = read_time(file);
   scene.camera = read_camera(file, scene.time.end, overrides.end.has_value());
   Model model = read_model(file);

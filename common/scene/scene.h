@@ -38,8 +38,13 @@ struct Scene {
   State start;
   Time time;
   Camera camera;
+  std::string effective;  // the scene in TOML, with the changes of the command line
 };
 
 // Reads and checks everything before the first step. `program` is the name of the step (its first
 // six letters, step01 … step05, decide which tables it teaches). Throws BadInput.
 Scene read_scene(const std::filesystem::path&, const std::string& program, const Overrides& = {});
+
+// The options in the table [run] of a scene, which a run of this program has written (run.toml); none where
+// there is no such table, or where another program wrote it. Throws BadInput.
+std::vector<std::string> options_of_run(const std::filesystem::path&, const std::string& program);

@@ -68,9 +68,30 @@ Names optional_tables() {
 SceneFile::SceneFile(const std::filesystem::path& path, const std::string& program,
                      const Overrides& overrides)
     : file(path), step(step_number(program)), tables(read_toml(path)) {
+  tables.erase("run");  // see options_of_run
   take_out(overrides.without);
   check_tables(program);
   apply(overrides);
+}
+
+std::string SceneFile::effective() const {
+  toml::table scene = tables;
+  for (const auto& [table, key] :
+       {std::pair{"cloth", "mesh"}, {"start", "positions"}, {"start", "velocities"}})
+    if (toml::node* node = scene[table][key].node(); node && node->is_string()) {
+      const std::filesystem::path path = file.parent_path() / *node->value<std::string>();
+      if (std::filesystem::exists(path))  // positions = "flat" may be a word
+        scene[table].as_table()->insert_or_assign(key, std::filesystem::absolute(path).string());
+    }
+  std::string text;
+  for (const KnownTable& known : known_tables()) {
+    const toml::table* table = scene[known.name].as_table();
+    if (!table) continue;
+    text += "\n[" + known.name + "]\n";
+    for (const auto& [key, value] : *table)
+      text += std::string(key.str()) + " = " + as_toml(value) + "\n";
+  }
+  return text;
 }
 
 TomlTable SceneFile::table(const std::string& name) const {
@@ -175,4 +196,21 @@ void SceneFile::apply_cells(int cells) {
   const int64_t cells_v = cells < 1 ? cells : std::max(std::llround(along_v), 1LL);
   if (cells != old(0) || cells_v != old(1)) check_numbered_pins(cells);
   cloth->insert_or_assign("cells", toml::array{cells, cells_v});
+}
+
+std::vector<std::string> options_of_run(const std::filesystem::path& file,
+                                        const std::string& program) {
+  const toml::table scene = read_toml(file);
+  if (!scene.contains("run")) return {};
+  const toml::table* run = scene["run"].as_table();
+  if (!run) throw BadInput(location(file, *scene.get("run")) + "run must be one table, [run]");
+  const TomlTable table(file, "[run]", *run);
+  table.allow_only({"program", "version", "options"});
+  if (table.text("program") != program || !table.has("options")) return {};
+  std::vector<std::string> options;
+  for (const toml::node& option : table.list("options", "a list of options")) {
+    if (!option.is_string()) table.refuse("options", "it must be a list of options, in quotes");
+    options.push_back(*option.value<std::string>());
+  }
+  return options;
 }

@@ -14,6 +14,9 @@ class SceneFile {
   TomlTable table(const std::string& name) const;  // refuses a scene without it
   Names known(Names names) const;                  // without the tables of later steps
 
+  // The scene as it is run, in TOML: with the changes of the command line, and with absolute paths.
+  std::string effective() const;
+
   const std::filesystem::path file;
 
  private:

@@ -48,28 +48,9 @@ bool read_list(const toml::node& node, int count, Number* numbers, const Read& r
   return true;
 }
 
-// Numbers as short as the file has them; 2.0 keeps its point.
-void show(const toml::node& node, std::ostream& out) {
-  if (const auto number = node.value_exact<double>()) {
-    const std::string digits = shortest(*number);
-    out << digits << (digits.find_first_not_of("-0123456789") == digits.npos ? ".0" : "");
-  } else if (const toml::array* list = node.as_array()) {
-    out << "[";
-    for (const toml::node& entry : *list) {
-      if (&entry != &list->front()) out << ", ";
-      show(entry, out);
-    }
-    out << "]";
-  } else {
-    node.visit([&](const auto& value) { out << value; });
-  }
-}
-
 // The value as the file has it; a long one only from its beginning.
 std::string shown(const toml::node& node) {
-  std::ostringstream out;
-  show(node, out);
-  const std::string all = one_line(out.str());
+  const std::string all = one_line(as_toml(node));
   return all.size() <= 60 ? all : all.substr(0, 57) + "...";
 }
 
@@ -78,6 +59,26 @@ std::string up_to(int most) {
 }
 
 }  // namespace
+
+std::string as_toml(const toml::node& node) {
+  if (const auto number = node.value_exact<double>()) {
+    const std::string digits = shortest(*number);
+    return digits + (digits.find_first_not_of("-0123456789") == digits.npos ? ".0" : "");
+  }
+  std::vector<std::string> parts;
+  if (const toml::array* list = node.as_array()) {
+    for (const toml::node& entry : *list) parts.push_back(as_toml(entry));
+    return "[" + joined(parts, ", ") + "]";
+  }
+  if (const toml::table* table = node.as_table()) {
+    for (const auto& [key, value] : *table)
+      parts.push_back(std::string(key.str()) + " = " + as_toml(value));
+    return "{ " + joined(parts, ", ") + " }";
+  }
+  std::ostringstream out;
+  node.visit([&](const auto& value) { out << value; });
+  return out.str();
+}
 
 toml::table read_toml(const std::filesystem::path& file) {
   const std::string text = read_text(file);

@@ -51,6 +51,9 @@ class TomlTable {
   const toml::table& table_;
 };
 
+// A value in TOML: numbers as short as they can be, 2.0 with its point, lists and tables on one line.
+std::string as_toml(const toml::node&);
+
 // The parsed file; refused where it is missing or no TOML.
 toml::table read_toml(const std::filesystem::path& file);
 

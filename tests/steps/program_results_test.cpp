@@ -1,6 +1,7 @@
 // The results of a run: its log and its last state, which depend on nothing but the scene.
 #include <cmath>
 
+#include "picture/png.h"
 #include "scene/mesh.h"
 #include "scene/velocities.h"
 #include "support/program_runner.h"
@@ -71,7 +72,7 @@ TEST_P(ProgramTest, LogsARowPerFrameAndLeavesTheLastState) {
   expect_done(small_square(
       8, {"--frames", "7", "--end", "0.1", "--h", "0.0002", "--no-pictures", "--out", "out"}));
   EXPECT_EQ(files_in(directory / "out"),
-            (std::vector<std::string>{"final.obj", "final_velocities.csv", "log.csv"}));
+            (std::vector<std::string>{"final.obj", "final_velocities.csv", "log.csv", "run.toml"}));
 
   std::string columns = "frame,time,kinetic,elastic,gravitational,total,max_stretch,lowest,";
   columns += GetParam().number() < 5 ? "stretch,shear" : "stretch,shear,bend";
@@ -134,9 +135,10 @@ TEST_P(ProgramTest, RunTwiceGivesTheSameBytes) {
     expect_done(
         small_square(8, {"--frames", "3", "--end", "0.3", "--size", "160x90", "--out", out}));
   const std::vector<std::string> files = files_in(directory / "a");
-  EXPECT_EQ(files, (std::vector<std::string>{"film.png", "final.obj", "final_velocities.csv",
-                                             "frame_0000.png", "frame_0001.png", "frame_0002.png",
-                                             "frame_0003.png", "log.csv", "still.png"}));
+  EXPECT_EQ(files,
+            (std::vector<std::string>{"film.png", "final.obj", "final_velocities.csv",
+                                      "frame_0000.png", "frame_0001.png", "frame_0002.png",
+                                      "frame_0003.png", "log.csv", "run.toml", "still.png"}));
   EXPECT_EQ(files_in(directory / "b"), files);
   for (const std::string& file : files) {
     std::string a = read_all(directory / "a" / file), b = read_all(directory / "b" / file);
@@ -164,6 +166,36 @@ TEST_P(ProgramTest, ContinuedFromItsLastStateEndsWhereOneRunEnds) {
   EXPECT_LT((x("rest") - x("whole")).norm(), 1e-13 * x("whole").norm());
   EXPECT_LT((v("rest") - v("whole")).norm(), 1e-12 * v("whole").norm());
   EXPECT_GT((x("half") - x("whole")).norm(), 1e-2 * x("whole").norm()) << "it moves on";
+}
+
+// run.toml is a scene, and its [run] brings the options: it makes the same run again.
+TEST_P(ProgramTest, RunTomlMakesTheSameRunAgain) {
+  std::filesystem::create_directory(directory / "start");
+  write("start/mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 0 -1\nv 1 0.1 -1\nf 1 2 3\nf 2 4 3\n");
+  write("start/scene.toml",
+        "[cloth]\nmesh = 'mesh.obj'\ndensity = 0.2\npins = [2]\n[gravity]\ng = 9.81\n"
+        "[stretch]\nk = 10\n[shear]\nk = 5.0\n[time]\nh = 0.001\nend = 1\n"
+        "[start]\npositions = 'mesh.obj'\n[camera]\nstill = 0.01\n");
+  Arguments first = {"start/scene.toml", "--h",       "0.0005", "--end",        "0.02",
+                     "--frames",         "2",         "--size", "80x45",        "--wireframe",
+                     "--caption",        "--without", "shear",  "--strain=0.1", "--export=obj"};
+  const int step = GetParam().number();
+  if (step >= 3) first.insert(first.end(), {"--newton", "3", "--guard=off"});
+  if (step == 3) first.insert(first.end(), {"--solver=inverse"});
+  if (step >= 4) first.insert(first.end(), {"--preconditioner=ic", "--tolerance=1e-6"});
+  first.insert(first.end(), {"--out", "one"});
+  expect_done(first);
+  expect_done({"one/run.toml", "--out", "two"});
+  ASSERT_EQ(files_in(directory / "two"), files_in(directory / "one"));
+  for (const std::string& name : files_in(directory / "one"))
+    if (name != "log.csv" && !name.ends_with(".png")) {
+      EXPECT_EQ(read_all(directory / "two" / name), read_all(directory / "one" / name)) << name;
+    }
+  EXPECT_EQ(read_png(directory / "two/frame_0002.png").width, 80);
+
+  expect_done({"one/run.toml", "--out", "three", "--frames", "1", "--size", "40x20"});
+  EXPECT_EQ(read_png(directory / "three/frame_0001.png").width, 40)
+      << "the command line goes before [run]";
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, ProgramTest, testing::ValuesIn(programs()), name_of);

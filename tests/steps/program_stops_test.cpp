@@ -187,9 +187,9 @@ TEST_P(StopsTest, FilesOfAnEarlierRunGoWhenTheFirstFrameComes) {
   EXPECT_EQ(run(refused).code, 2);
   EXPECT_EQ(files_in(directory / "out").size(), 4u) << "a run that fails touches nothing";
   expect_done(small);
-  EXPECT_EQ(
-      files_in(directory / "out"),
-      (std::vector<std::string>{"final.obj", "final_velocities.csv", "log.csv", "notes.txt"}));
+  EXPECT_EQ(files_in(directory / "out"),
+            (std::vector<std::string>{"final.obj", "final_velocities.csv", "log.csv", "notes.txt",
+                                      "run.toml"}));
 }
 
 TEST_P(StopsTest, ADirectoryWithTheNameOfAResultIsRefusedAtOnce) {
