@@ -49,6 +49,8 @@ OutDirectory::OutDirectory(const std::filesystem::path& path_) : path(path_) {
 
 OutDirectory::~OutDirectory() {
   close(descriptor);
+  std::error_code ignored;
+  if (is_new && std::filesystem::is_empty(path, ignored)) std::filesystem::remove(path, ignored);
 }
 
 void OutDirectory::refuse(const std::string& reason) const {
@@ -56,9 +58,9 @@ void OutDirectory::refuse(const std::string& reason) const {
                  "; name a directory that can be written");
 }
 
-void OutDirectory::create() const {
+void OutDirectory::create() {
   std::error_code error;
-  std::filesystem::create_directories(path, error);
+  is_new = std::filesystem::create_directories(path, error);
   if (error) refuse(error.message());
   const std::filesystem::path probe = path / ".probe.part";
   const bool written = std::ofstream(probe).put('\n').flush().good();

@@ -7,7 +7,7 @@ class OutDirectory {
   // Creates the directory. Throws BadInput where it cannot be written, where a directory has the name of a file
   // of a run, or while another run writes there. The system frees the lock of a run that ends, however it ends.
   explicit OutDirectory(const std::filesystem::path&);
-  ~OutDirectory();
+  ~OutDirectory();  // a directory that was made for this run and is empty goes
   OutDirectory(const OutDirectory&) = delete;
   OutDirectory& operator=(const OutDirectory&) = delete;
 
@@ -16,9 +16,10 @@ class OutDirectory {
 
  private:
   [[noreturn]] void refuse(const std::string& reason) const;
-  void create() const;
+  void create();
   void lock();
 
   std::filesystem::path path;
+  bool is_new = false;
   int descriptor = -1;
 };

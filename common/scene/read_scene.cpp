@@ -47,7 +47,7 @@ Camera read_camera(const SceneFile& scene, double end, bool end_is_given) {
   table.allow_only({"eye", "target", "still"});
   if (table.has("eye")) camera.eye = table.three_numbers("eye");
   if (table.has("target")) camera.target = table.three_numbers("target");
-  if (camera.eye && camera.target && *camera.eye == *camera.target)
+  if (camera.eye && camera.target && !((*camera.eye - *camera.target).norm() > 1e-12))
     table.refuse("eye", "it must be another point than target");
   if (!table.has("still")) return camera;
   const double still = table.number("still", Range::not_negative);

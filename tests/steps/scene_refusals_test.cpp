@@ -124,6 +124,7 @@ TEST_F(SceneRefusals, EveryValueOutOfRangeOrOfAnotherTypeIsShownWithWhatIsValid)
       {8, "[camera]\neye = [1, 2]", "three numbers"},
       {8, "[camera]\ntarget = [1, 2, inf]", "three numbers"},
       {8, "[camera]\neye = [1, 2, 3]\ntarget = [1, 2, 3]", "another point than target"},
+      {8, "[camera]\neye = [5e-324, 2, 3]\ntarget = [0, 2, 3]", "another point than target"},
       {8, "[camera]\nstill = -1", "a number from 0 to 1e30"},
       {8, "[camera]\nstill = 1.5", "from 0 to the end of [time]"},
       {8, "[start]\nvelocity = 3", "three numbers"},
