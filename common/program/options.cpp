@@ -56,7 +56,7 @@ CLI::Validator NamedValues(const std::map<std::string, Value>& values) {
 }
 
 std::string not_empty(const std::string& text) {
-  return text.empty() ? "wants a name, not an empty text" : "";
+  return text.empty() ? "wants a value, not an empty text" : "";
 }
 
 // A file must not get a descriptor of the standard streams: it would then receive what the program says.
@@ -229,9 +229,10 @@ struct CommandLine {
 Options read_options(const Program& program, const std::string& command,
                      const std::vector<std::string>& words) {
   const CommandLine given(program, command, words);
-  std::vector<std::string> all = words;
+  std::vector<std::string> all;
   for (const std::string& word : options_of_run(given.options.scene, program.name))
     if (!given.has(word)) all.push_back(word);
+  all.insert(all.end(), words.begin(), words.end());
   return all.size() == words.size() ? given.options : CommandLine(program, command, all).options;
 }
 
