@@ -41,8 +41,8 @@ inline double potential_energy(const Cloth& cloth, const VecX& x) {
   return energy;
 }
 
-// The potential energy of one cloth, and the positions it belongs to. Where pins stand still, a step begins at
-// the positions whose energy the guard has just computed.
+// The potential energy of one cloth, and the positions it belongs to. Where pins stand still, a step begins
+// at the positions whose energy the guard has just computed.
 struct LastEnergy {
   explicit LastEnergy(Eigen::Index numbers) : x(VecX::Constant(numbers, std::nan(""))) {}
 

@@ -18,6 +18,6 @@ struct Pin {
   Vec3 velocity;  // m/s, in the directions that it holds
 };
 
-// The velocity of a rigid cloth that would move with v but has pins: of all velocities that follow the pins
-// as well as possible in the directions that they hold, Σ |(I − S)(u − velocity)|² → min, the one nearest to v.
+// The velocity u, m/s, of a rigid cloth that would move with v but has pins: of all u that follow the pins as
+// well as possible in the directions that they hold, Σ |(I − S)(u − velocity)|² → min, the one nearest to v.
 Vec3 led_by(std::span<const Pin> pins, const Vec3& v);

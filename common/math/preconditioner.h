@@ -20,8 +20,8 @@ class Preconditioner {
   virtual void apply(const VecX& r, VecX& s) = 0;  // s = P⁻¹ r
 };
 
-// B⁻¹ of a block of A, by pivots. A flap that is almost a line makes B 1e12 times as stiff in one direction as
-// in another. The cofactors of B.inverse() then subtract large numbers, and their B⁻¹ is not positive definite.
+// B⁻¹ of a block of A, by pivots. A flap that is almost a line makes B 1e12 times as stiff in one direction
+// as in another. The cofactors of B.inverse() then lose all digits, and their B⁻¹ is not positive definite.
 inline Mat3 inverse_of(const Mat3& B) {
   return B.ldlt().solve(Mat3::Identity());
 }

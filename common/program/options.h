@@ -41,8 +41,8 @@ struct Options {
   std::optional<double> strain_scale;  // the strain at the end of the colour scale
 };
 
-// run.toml: the scene as it is run, and in [run] the program, its version and all options of method and pictures.
-// A program that reads it as its scene makes the same run again.
+// run.toml: the scene as it is run, and in [run] the program, its version and all options of method and
+// pictures. A program that reads it as its scene makes the same run again.
 std::string run_toml(const Options&, const std::string& effective_scene);
 
 // Runs simulate(options) and returns the exit code of the program: 0 done, 1 the run broke off, 2

@@ -48,9 +48,9 @@ OutDirectory::OutDirectory(const std::filesystem::path& path_) : path(path_) {
 }
 
 OutDirectory::~OutDirectory() {
-  close(descriptor);
   std::error_code ignored;
   if (is_new && std::filesystem::is_empty(path, ignored)) std::filesystem::remove(path, ignored);
+  close(descriptor);
 }
 
 void OutDirectory::refuse(const std::string& reason) const {

@@ -4,8 +4,8 @@
 
 class OutDirectory {
  public:
-  // Creates the directory. Throws BadInput where it cannot be written, where a directory has the name of a file
-  // of a run, or while another run writes there. The system frees the lock of a run that ends, however it ends.
+  // Creates the directory. Throws BadInput where it cannot be written, where a directory has the name of a
+  // file of a run, or while another run writes there. The system frees the lock of every run that ends.
   explicit OutDirectory(const std::filesystem::path&);
   ~OutDirectory();  // a directory that was made for this run and is empty goes
   OutDirectory(const OutDirectory&) = delete;

@@ -22,8 +22,8 @@ constexpr int explicit_steps_per_sample = 10;
 
 volatile std::sig_atomic_t interrupted = 0;
 
-// The first Ctrl-C, and a terminal or a reader of the output that goes away, end the run after the step it is in.
-// A second Ctrl-C ends it at once.
+// The first Ctrl-C, and a terminal or a reader of the output that goes away, end the run after the step it is
+// in. A second Ctrl-C ends it at once.
 void stop_on_ctrl_c() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE})
     std::signal(signal, [](int number) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-// The v and vt lines, and then the faces, of an OBJ file, without whatever else may stand there. Throws BadInput
-// with file, line and reason where a v, vt or f line is incomplete, a number is not finite, a face is not a
-// triangle, or an index is out of range. `source` names the file in messages.
+// The v and vt lines, and then the faces, of an OBJ file, without whatever else may stand there. Throws
+// BadInput with file, line and reason where a v, vt or f line is incomplete, a number is not finite, a face
+// is not a triangle, or an index is out of range. `source` names the file in messages.
 std::string plain_obj(std::string_view text, const std::filesystem::path& source);

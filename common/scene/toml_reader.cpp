@@ -11,7 +11,7 @@
 
 namespace {
 
-// Matrices and scalar products hold products of up to six such numbers; 1e±308 is the end of double.
+// So products of several numbers of a scene stay far from the end of double, 1e308.
 constexpr double largest = 1e30;
 
 bool is_in(double value, Range range) {

@@ -7,8 +7,8 @@
 [[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
 
 std::string joined(const std::vector<std::string>& parts, const std::string& between);
-// Words for a terminal: control characters are shown as escapes, \n or \x1b, and of more than 300 bytes only the
-// beginning and the end are kept.
+// Words for a terminal: control characters are shown as escapes, \n or \x1b, and of more than 300 bytes only
+// the beginning and the end are kept.
 std::string one_line(std::string words);
 
 std::string count(long number, const std::string& thing);  // 1 step, 2 steps
