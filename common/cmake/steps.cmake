@@ -36,6 +36,7 @@ set(CMAKE_UNITY_BUILD_BATCH_SIZE 20 CACHE STRING "The most files in a batch")
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)  # for editors and clang-tidy
 
 option(LARGE_STEPS_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(LARGE_STEPS_FUZZ "Build for libFuzzer, with clang++" OFF)
 
 # Finds a package. If it is missing, the message names the Debian package, which helps more than a CMake
 # variable: find_package_of(libeigen3-dev Eigen3 [AT_LEAST 3.4] [options of find_package]). A version that is
@@ -64,6 +65,10 @@ function(cloth_target target)
     # g++ keeps its garbage below 4 GB: an eighth less time, and a fifth more memory.
     $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=4000000>)
   target_include_directories(${target} PRIVATE ${LARGE_STEPS_COMMON})
+  if(LARGE_STEPS_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    target_link_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
+  endif()
   if(LARGE_STEPS_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
       -fno-omit-frame-pointer)

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "picture/png.h"
 
@@ -28,13 +30,44 @@ std::size_t big_endian(const std::string& bytes, std::size_t at) {
   return number;
 }
 
+struct Chunk {
+  std::string_view type, content;
+};
+
+// A PNG is 8 bytes of signature, then chunks: length (4 bytes), type (4), content, checksum (4).
+std::vector<Chunk> chunks_of(const std::filesystem::path& path, const std::string& bytes) {
+  if (bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) throw CannotRead(path, "not a PNG file");
+  std::vector<Chunk> chunks;
+  for (std::size_t at = 8; at + 12 <= bytes.size();) {
+    const std::size_t length = big_endian(bytes, at);
+    if (length > bytes.size() - at - 12) throw CannotRead(path, "the file is cut short");
+    const std::string_view chunk = std::string_view(bytes).substr(at + 4, length + 4);
+    chunks.push_back({chunk.substr(0, 4), chunk.substr(4)});
+    at += length + 12;
+  }
+  return chunks;
+}
+
+// Deflate packs at most 1032 bytes into one, and a byte holds at most 8 pixels. The header of a damaged file can
+// claim more.
+bool can_hold(const std::string& bytes, const png_image& png) {
+  return double(png.width) * double(png.height) <= 8. * 1032. * double(bytes.size());
+}
+
 }  // namespace
 
 Image read_png(const std::filesystem::path& path) {
+  const std::string bytes = file_bytes(path);
+  chunks_of(path, bytes);  // libpng would allocate what a chunk claims
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  if (!png_image_begin_read_from_file(&png, path.c_str())) throw CannotRead(path, png.message);
+  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()))
+    throw CannotRead(path, png.message);
   png.format = PNG_FORMAT_RGB;
+  if (!can_hold(bytes, png)) {
+    png_image_free(&png);
+    throw CannotRead(path, "the header claims more pixels than the file can hold");
+  }
   Image image = filled_image(static_cast<int>(png.width), static_cast<int>(png.height), {0, 0, 0});
   const png_color white{255, 255, 255};  // behind transparent pixels
   if (!png_image_finish_read(&png, &white, image.rgb.data(), 0, nullptr))
@@ -42,20 +75,14 @@ Image read_png(const std::filesystem::path& path) {
   return image;
 }
 
-// A PNG is 8 bytes of signature, then chunks: length (4 bytes), type (4), content, checksum (4).
 // The content of a tEXt chunk is key, zero byte, text.
 PngText read_png_text(const std::filesystem::path& path) {
   const std::string bytes = file_bytes(path);
-  if (bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) throw CannotRead(path, "not a PNG file");
   PngText text;
-  for (std::size_t at = 8; at + 12 <= bytes.size();) {
-    const std::size_t length = big_endian(bytes, at);
-    if (length > bytes.size() - at - 12) throw CannotRead(path, "the file is cut short");
-    const std::string content = bytes.substr(at + 8, length);
-    const std::size_t zero = content.find('\0');
-    if (bytes.compare(at + 4, 4, "tEXt") == 0 && zero != std::string::npos)
-      text.emplace_back(content.substr(0, zero), content.substr(zero + 1));
-    at += length + 12;
+  for (const Chunk& chunk : chunks_of(path, bytes)) {
+    const std::size_t zero = chunk.content.find('\0');
+    if (chunk.type == "tEXt" && zero != std::string::npos)
+      text.emplace_back(chunk.content.substr(0, zero), chunk.content.substr(zero + 1));
   }
   return text;
 }

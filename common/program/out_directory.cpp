@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <vector>
@@ -36,6 +37,15 @@ std::vector<std::filesystem::directory_entry> entries_of_a_run(const std::filesy
   return found;
 }
 
+char new_directory[4096];
+
+// rmdir, which removes only an empty directory, signal and raise may stand in a signal handler.
+void remove_directory_and_end(int signal) {
+  rmdir(new_directory);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 }  // namespace
 
 OutDirectory::OutDirectory(const std::filesystem::path& path_) : path(path_) {
@@ -45,6 +55,7 @@ OutDirectory::OutDirectory(const std::filesystem::path& path_) : path(path_) {
       refuse(entry.path().filename().string() +
              " is a directory there, and a file is to be written");
   lock();
+  if (is_new) go_with_a_signal();
 }
 
 OutDirectory::~OutDirectory() {
@@ -76,6 +87,13 @@ void OutDirectory::lock() {
   close(descriptor);
   throw BadInput("--out " + path.string() +
                  ": another run writes there; wait until it ends, or name another directory");
+}
+
+void OutDirectory::go_with_a_signal() const {
+  if (path.native().size() >= sizeof new_directory) return;
+  std::strcpy(new_directory, path.c_str());
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE})
+    std::signal(signal, remove_directory_and_end);
 }
 
 void OutDirectory::remove_earlier_run() const {

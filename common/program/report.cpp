@@ -29,11 +29,18 @@ void warn(const std::string& words) {
 
 }  // namespace
 
+std::string no_result(long steps) {
+  return "the linear systems failed in all " + count(steps, "step") +
+         ", so this is no result: the numbers of the scene are too far apart; "
+         "check k, density, size and h";
+}
+
 void Report::start() const {
   std::printf("%s: %s, %d vertices, %zu triangles, h = %g s, %s to t = %.6g s\n",
               options.program.c_str(), scene.file.string().c_str(), scene.cloth.vertices(),
               scene.mesh.faces.size(), scene.time.h, count(scene.time.steps(), "step").c_str(),
               double(scene.time.steps()) * scene.time.h);
+  std::fflush(stdout);  // h_crit of a large cloth takes seconds
 }
 
 void Report::critical_step(double h_crit) const {

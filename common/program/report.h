@@ -12,6 +12,9 @@ struct RunTotals {
   long failed = 0;  // steps with a linear system that has no solution
 };
 
+// The error message of a run in which every step had a linear system without a solution.
+std::string no_result(long steps);
+
 class Report {
  public:
   Report(const Options& options_, const Scene& scene_) : options(options_), scene(scene_) {}

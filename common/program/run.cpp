@@ -174,8 +174,6 @@ int Run::finish(const State& state) {
   r.report.end(r.run, r.watch, state, interrupted);
   if (r.run.steps > 0 && r.run.failed == r.run.steps &&
       r.options.method.jacobian == Jacobian::definite)
-    throw std::runtime_error("the linear systems failed in all " + count(r.run.steps, "step") +
-                             ", so this is no result: the numbers of the scene are too far apart; "
-                             "check k, density, size and h");
+    throw std::runtime_error(no_result(r.run.steps));
   return interrupted ? 130 : 0;
 }

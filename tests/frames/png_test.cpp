@@ -127,4 +127,20 @@ TEST(Png, UnreadableFilesAreNamed) {
   EXPECT_THROW(read_png_text(directory.path / "b.png"), std::runtime_error);
 }
 
+// A file of a hundred bytes cannot make the program allocate gigabytes.
+TEST(Png, AHeaderAndAChunkThatClaimTooMuchAreRefused) {
+  const fs::path corpus = CORPUS;
+  for (const auto& [file, reason] :
+       {std::pair{"million_by_million.png", "more pixels than the file can hold"},
+        std::pair{"chunk_of_gigabytes.png", "the file is cut short"}}) {
+    std::string said;
+    try {
+      read_png(corpus / file);
+    } catch (const std::runtime_error& error) {
+      said = error.what();
+    }
+    expect_mentions(said, reason);
+  }
+}
+
 }  // namespace png_test
