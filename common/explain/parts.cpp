@@ -31,13 +31,20 @@ Cloth without_gravity(Cloth cloth) {
   return cloth;
 }
 
-std::string describe(const Term& term, const TermInfo& info) {
+template <class T>
+std::string describe(const T& term) {
+  const TermInfo& info = T::info;
   const auto with_unit = [](const char* name, double value, std::string_view unit) {
     return text("%s%g ", name, value) + std::string(unit);
   };
   std::string words(info.table);
   if (!info.model.empty()) words += " (" + std::string(info.model) + ")";
-  words += with_unit(" k = ", term.k, info.units.k);
+  if constexpr (requires { term.stiffnesses(); })
+    for (const auto& [name, value] : term.stiffnesses()) {
+      if (value != 0) words += std::string(" ") + name + with_unit(" = ", value, info.units.k);
+    }
+  else
+    words += with_unit(" k = ", term.k, info.units.k);
   if (term.kd > 0) words += with_unit(", kd = ", term.kd, info.units.kd);
   return words;
 }
@@ -81,7 +88,7 @@ std::vector<std::string> describe_terms(const Cloth& cloth) {
   std::vector<std::string> terms;
   if (cloth.gravity) terms.push_back("gravity " + text("%g", cloth.gravity->norm()) + " m/s²");
   for_each_term(cloth, [&]<class T>(const std::optional<T>& term) {
-    if (term) terms.push_back(describe(*term, T::info));
+    if (term) terms.push_back(describe(*term));
   });
   return terms;
 }

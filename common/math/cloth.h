@@ -7,13 +7,17 @@
 
 #include "math/grid.h"
 #include "math/hinge.h"
+#include "math/linear_membrane.h"
+#include "math/membrane.h"
 #include "math/pin.h"
 #include "math/quadratic_bend.h"
 #include "math/spring.h"
 #include "math/triangle.h"
 
 // All terms, by the elements that they act on.
-using Triangles = Family<Triangle, StretchTerm, ShearTerm>;
+using Triangles =
+    Family<Triangle, StretchTerm, ShearTerm, Membrane<Stvk>, LinearMembrane, Membrane<Corotated>,
+           Membrane<Arap>, Membrane<NeoHookean>, Membrane<NeoHookeanBarrier>>;
 using Springs = Family<Spring, SpringTerm>;
 using Hinges = Family<Hinge, DihedralBend, BridsonBend>;
 using QuadraticHinges = Family<QuadraticHinge, QuadraticBend>;
@@ -85,6 +89,16 @@ inline std::vector<TermInfo> term_infos() {
   const Families none;
   for_each_term(none, [&]<class T>(const std::optional<T>&) { infos.push_back(T::info); });
   return infos;
+}
+
+// Tells the terms that remember their start the positions at the start.
+inline void start_terms(Cloth& cloth, const VecX& x) {
+  for_each_family(cloth, [&](auto& family) {
+    family.for_each_term([&](auto& term) {
+      if constexpr (requires { term->start_at(family.elements, x); })
+        if (term) term->start_at(family.elements, x);
+    });
+  });
 }
 
 // The first step that teaches all terms of a cloth.

@@ -49,8 +49,8 @@ template <int N_, int Y_>
 struct Element {
   static constexpr int N = N_, Y = Y_;
 
-  std::array<int, N> vertices;
   Eigen::Matrix<double, Y, N> weight;
+  std::array<int, N> vertices;
 };
 
 // An element whose vectors y are its N vertices, as seen from the first: moving the whole element

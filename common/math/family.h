@@ -28,6 +28,9 @@ inline constexpr Units newton_per_metre = {"N/m", "NÂ·s/m"}, newton_metre = {"NÂ
 // resists the rotation. `stored`: energy, as in small-strain elasticity.
 enum class Rotation { free, damped, stored };
 
+// The ways to resist a change of shape within the plane of the cloth. A scene models one of them.
+enum class InPlane { none, threads, membrane, springs };
+
 struct TermInfo {
   std::string_view table;       // of scene.toml, and the column of log.csv
   std::string_view model = {};  // the value of the key model, where a table offers several
@@ -35,6 +38,7 @@ struct TermInfo {
   Units units = newton_per_metre;
   bool rests_flat = false;  // the rest shape is flat even where the mesh is not
   Rotation rotation = Rotation::free;
+  InPlane in_plane = InPlane::none;
 };
 
 // The place of a term in a family: empty if the scene does not name the term.

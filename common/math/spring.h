@@ -1,5 +1,7 @@
 // A spring between two vertices: the smallest condition, and the cloth of mass-spring models.
 #pragma once
+#include <utility>
+
 #include "math/family.h"
 
 // y = x_0 − x_1, the only vector that a spring reads.
@@ -41,10 +43,34 @@ inline Mat3 across(const Spring& s, const Vecs<1>& y) {
   return Elongation(s, y[0]).second()[0][0];
 }
 
-// The springs that are the cloth itself. Code builds them; no scene names them.
+// [spring]: the springs that are the cloth itself. k acts along the edges of the cells of a grid, or along
+// the edges of the triangles of a mesh (scene/spring_net.h).
 struct SpringTerm : Term {
   using Term::Term;
-  static constexpr TermInfo info = {.table = "spring", .first_step = 0};
+  static constexpr TermInfo info = {.table = "spring", .in_plane = InPlane::springs};
+  static constexpr std::array<const char*, 5> keys = {"k", "shear", "apart", "net", "diagonals"};
+
+  template <class Table>
+  void read(const Table& table) {
+    k = table.positive("k");
+    if (table.has("shear")) shear = table.not_negative("shear");
+    if (table.has("apart")) apart = table.not_negative("apart");
+    if (table.has("net")) on_grid = table.one_of("net", {"grid", "mesh"}) == "grid";
+    if (table.has("diagonals")) both_diagonals = table.one_of("diagonals", {"one", "two"}) == "two";
+    if (on_grid) return;
+    for (const char* key : {"shear", "diagonals"})
+      if (table.has(key)) table.refuse(key, "only the net of a grid has it; take it out");
+  }
+  std::vector<std::pair<const char*, double>> stiffnesses() const {
+    return {{"k", k}, {"shear", shear}, {"apart", apart}};
+  }
+
+  // The key that only a grid can have; null where any mesh will do.
+  const char* needs_grid() const { return shear > 0 ? "shear" : nullptr; }
+
+  double shear = 0;  // N/m, of the diagonals of the cells
+  double apart = 0;  // N/m, between vertices that are two cells apart, or opposite an edge
+  bool on_grid = true, both_diagonals = true;
 
   template <class Act>
   void conditions(const Spring& s, const Vecs<1>& y, const Act& act) const {

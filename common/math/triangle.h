@@ -9,6 +9,7 @@
 
 struct Triangle : Element<3, 2> {
   static constexpr std::string_view plural = "triangles";
+  int face = 0;      // its place in the list of triangles
   double area;       // m², at rest
   double sqrt_area;  // m
 };
@@ -78,7 +79,7 @@ struct Shear : Condition<2> {
 // [stretch]: both threads of a triangle.
 struct StretchTerm : Term {
   using Term::Term;
-  static constexpr TermInfo info = {.table = "stretch"};
+  static constexpr TermInfo info = {.table = "stretch", .in_plane = InPlane::threads};
 
   template <class Act>
   void conditions(const Triangle& t, const Vecs<2>& w, const Act& act) const {
@@ -91,7 +92,7 @@ struct StretchTerm : Term {
 // [shear]
 struct ShearTerm : Term {
   using Term::Term;
-  static constexpr TermInfo info = {.table = "shear"};
+  static constexpr TermInfo info = {.table = "shear", .in_plane = InPlane::threads};
 
   template <class Act>
   void conditions(const Triangle& t, const Vecs<2>& w, const Act& act) const {

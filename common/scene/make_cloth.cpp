@@ -1,6 +1,7 @@
 #include "scene/make_cloth.h"
 
 #include "scene/hinges.h"
+#include "scene/spring_net.h"
 
 Triangle make_triangle(const Mesh& mesh, size_t face) {
   const auto& [uv0, uv1, uv2] = mesh.rest[face];
@@ -29,10 +30,14 @@ VecX inverse_masses(const VecX& mass, const std::vector<Pin>& pins) {
 // The elements that the terms of a family act on.
 void make_elements(const Mesh& mesh, Triangles& triangles) {
   triangles.elements.reserve(mesh.faces.size());
-  for (size_t face = 0; face < mesh.faces.size(); ++face)
+  for (size_t face = 0; face < mesh.faces.size(); ++face) {
     triangles.elements.push_back(make_triangle(mesh, face));
+    triangles.elements.back().face = int(face);
+  }
 }
-void make_elements(const Mesh&, Springs&) {}  // who builds the cloth adds them
+void make_elements(const Mesh& mesh, Springs& springs) {
+  springs.elements = make_spring_net(mesh, *springs.term<SpringTerm>());
+}
 void make_elements(const Mesh& mesh, Hinges& hinges) {
   hinges.elements = make_hinges(mesh);
 }
@@ -55,5 +60,6 @@ Cloth make_cloth(const Mesh& mesh, const Model& model) {
   for_each_family(cloth, [&](auto& family) {
     if (family.acts()) make_elements(mesh, family);
   });
+  start_terms(cloth, mesh.x);
   return cloth;
 }

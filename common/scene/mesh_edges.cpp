@@ -54,7 +54,7 @@ MeshEdges find_edges(const std::vector<Face>& faces, const std::string& source) 
     if (next - first == 2)
       edges.interior.push_back(make_interior_edge(faces, sides[first], sides[first + 1]));
     else
-      ++edges.boundary;
+      edges.boundary.push_back({{sides[first].low, sides[first].high}, sides[first].face});
   }
   return edges;
 }

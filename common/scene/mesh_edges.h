@@ -9,9 +9,13 @@ struct InteriorEdge {
   std::array<int, 4> vertices;  // of its hinge: P0 | P1–P2 | P3
   std::array<int, 2> faces;     // with P0, with P3
 };
+struct BoundaryEdge {
+  std::array<int, 2> vertices;
+  int face;
+};
 struct MeshEdges {
   std::vector<InteriorEdge> interior;
-  int boundary = 0;  // edges of one face
+  std::vector<BoundaryEdge> boundary;
 };
 
 // Flap 0 of a hinge is the face that is listed first, in its own orientation; the orientation of

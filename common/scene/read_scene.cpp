@@ -79,6 +79,7 @@ Scene read_scene(const std::filesystem::path& path, const std::string& program,
   scene.cloth = make_cloth(geometry.mesh, model);
   scene.start = read_start(file, geometry, scene.cloth);
   start_angles(scene.cloth.hinges.elements, scene.start.x);
+  start_terms(scene.cloth, scene.start.x);
   scene.mesh = std::move(geometry.mesh);
   return scene;
 }

@@ -43,6 +43,26 @@ bool names(const SceneFile& scene, const TermInfo& term) {
   return (table.has("model") ? table.one_of("model", models) : models.front()) == term.model;
 }
 
+// A term that reads its own keys: its keys, and read(values).
+template <class T>
+concept ReadsItself = requires {
+  T::keys;
+};
+
+// The numbers of a table, as a term reads them.
+struct Values {
+  const TomlTable& table;
+
+  bool has(const char* key) const { return table.has(key); }
+  double number(const char* key) const { return table.number(key, Range::any); }
+  double positive(const char* key) const { return table.number(key, Range::positive); }
+  double not_negative(const char* key) const { return table.number(key, Range::not_negative); }
+  std::string one_of(const char* key, const Names& valid) const { return table.one_of(key, valid); }
+  [[noreturn]] void refuse(const char* key, const std::string& must) const {
+    table.refuse(key, must);
+  }
+};
+
 void check_keys(const TomlTable& table, const TermInfo& term) {
   Names keys;
   if (!term.model.empty()) keys.push_back("model");
@@ -58,6 +78,15 @@ void check_keys(const TomlTable& table, const TermInfo& term) {
 
 template <class T>
 T read_term(const TomlTable& table) {
+  if constexpr (ReadsItself<T>) {
+    Names keys(T::keys.begin(), T::keys.end());
+    if (!T::info.model.empty()) keys.insert(keys.begin(), "model");
+    table.allow_only(keys);
+    T term(0);
+    term.read(Values{table});
+    return term;
+  }
+  check_keys(table, T::info);
   if (!table.has("B")) return T(table.number("k", Range::not_negative));
   const double B = table.number("B", Range::not_negative);
   if constexpr (HasModulus<T>)
@@ -88,6 +117,32 @@ void read_damping(const SceneFile& scene, Model& model) {
   }
 }
 
+// A cloth has threads, or a membrane, or springs.
+void check_in_plane(const SceneFile& scene, const Model& model) {
+  std::optional<TermInfo> first;
+  for_each_term(model, [&]<class T>(const std::optional<T>& term) {
+    if (!term || T::info.in_plane == InPlane::none) return;
+    if (first && first->in_plane != T::info.in_plane)
+      scene.table(named(T::info.table))
+          .refuse_table("stands in place of [" + named(first->table) +
+                        "]; take out one of the two");
+    if (!first) first = T::info;
+  });
+}
+
+void check_rests_flat(const SceneFile& scene, const Mesh& mesh, const TermInfo& term) {
+  if (std::find(mesh.in_space.begin(), mesh.in_space.end(), true) == mesh.in_space.end()) return;
+  std::string others;
+  for (const TermInfo& other : term_infos())
+    if (other.table == term.table && !other.rests_flat)
+      others += (others.empty() ? "" : " or ") + named(other.model);
+  scene.table(named(term.table))
+      .refuse("model",
+              "this model rests flat, and the mesh has faces without texture coordinates to lay "
+              "them flat; use " +
+                  others + ", which rest there as the mesh lies");
+}
+
 }  // namespace
 
 Names term_tables() {
@@ -101,25 +156,19 @@ Names term_tables() {
 void read_terms(const SceneFile& scene, Model& model) {
   for_each_term(model, [&]<class T>(std::optional<T>& term) {
     if (!names(scene, T::info)) return;
-    const TomlTable table = scene.table(named(T::info.table));
-    check_keys(table, T::info);
-    term = read_term<T>(table);
+    term = read_term<T>(scene.table(named(T::info.table)));
   });
+  check_in_plane(scene, model);
   read_damping(scene, model);
 }
 
 void check_terms(const SceneFile& scene, const Mesh& mesh, const Model& model) {
-  if (std::find(mesh.in_space.begin(), mesh.in_space.end(), true) == mesh.in_space.end()) return;
   for_each_term(model, [&]<class T>(const std::optional<T>& term) {
-    if (!term || !T::info.rests_flat) return;
-    std::string others;
-    for (const TermInfo& other : term_infos())
-      if (other.table == T::info.table && !other.rests_flat)
-        others += (others.empty() ? "" : " or ") + named(other.model);
-    scene.table(named(T::info.table))
-        .refuse("model",
-                "this model rests flat, and the mesh has faces without texture coordinates to lay "
-                "them flat; use " +
-                    others + ", which rest there as the mesh lies");
+    if constexpr (requires { term->needs_grid(); }) {
+      const char* key = term ? term->needs_grid() : nullptr;
+      if (key && !mesh.grid)
+        scene.table(named(T::info.table)).refuse(key, "only a grid has cells; take it out");
+    }
+    if (term && T::info.rests_flat) check_rests_flat(scene, mesh, T::info);
   });
 }

@@ -15,7 +15,7 @@ namespace hinge_topology_test {
 // A disc: V − E + F = 1. Every face has three sides: 3 F = 2 E − B.
 void expect_disc(const Mesh& mesh) {
   const MeshEdges edges = find_edges(mesh.faces);
-  const int V = mesh.vertices(), F = int(mesh.faces.size()), B = edges.boundary;
+  const int V = mesh.vertices(), F = int(mesh.faces.size()), B = int(edges.boundary.size());
   const int E = int(edges.interior.size()) + B;
   EXPECT_EQ(V - E + F, 1);
   EXPECT_EQ(3 * F, 2 * E - B);
@@ -28,7 +28,7 @@ TEST(HingeTopology, GridsObeyEulersFormula) {
       SCOPED_TRACE(std::to_string(cells[0]) + " x " + std::to_string(cells[1]));
       const Mesh mesh = make_grid({1, 1}, cells, diagonals);
       expect_disc(mesh);
-      EXPECT_EQ(find_edges(mesh.faces).boundary, 2 * (cells[0] + cells[1]));
+      EXPECT_EQ(find_edges(mesh.faces).boundary.size(), 2 * size_t(cells[0] + cells[1]));
     }
 }
 
@@ -36,7 +36,7 @@ TEST(HingeTopology, GridsObeyEulersFormula) {
 TEST(HingeTopology, EdgesOfSmallGridsAreThoseOfTheNotes) {
   const auto edges = [](int nx, int ny) {
     const MeshEdges found = find_edges(make_grid({1, 1}, {nx - 1, ny - 1}, Diagonals::same).faces);
-    return int(found.interior.size()) + found.boundary;
+    return int(found.interior.size()) + int(found.boundary.size());
   };
   EXPECT_EQ(edges(2, 2), 5);
   EXPECT_EQ(edges(3, 3), 16);
@@ -47,7 +47,7 @@ TEST(HingeTopology, EdgesOfSmallGridsAreThoseOfTheNotes) {
 TEST(HingeTopology, AClosedSurfaceHasNoBoundary) {
   const std::vector<Face> tetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   const MeshEdges edges = find_edges(tetrahedron);
-  EXPECT_EQ(edges.boundary, 0);
+  EXPECT_EQ(edges.boundary.size(), 0u);
   EXPECT_EQ(edges.interior.size(), 6u);  // E = 3 V − 6
 }
 
@@ -111,7 +111,7 @@ TEST(HingeTopology, ThreeFacesOnAnEdgeAreRefusedByName) {
 
 TEST(HingeTopology, NoFacesHaveNoEdges) {
   EXPECT_TRUE(find_edges({}).interior.empty());
-  EXPECT_EQ(find_edges({}).boundary, 0);
+  EXPECT_EQ(find_edges({}).boundary.size(), 0u);
 }
 
 // Bridson's c of the two kinds of hinges of a square cell of side s: the diagonal √2 s, an axis edge s,

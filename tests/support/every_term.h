@@ -1,6 +1,7 @@
 // Every term of the lists (math/cloth.h) by itself: on one element of its family, in all poses of
 // that kind of element. A new term needs no line here; a new kind of element needs its poses.
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -71,6 +72,16 @@ inline void vary(Term&, Random&) {}
 inline void vary(StretchTerm& term, Random& random) {
   term.b = {random.between(0.7, 1.3), random.between(0.7, 1.3)};
 }
+inline void vary(MembraneTerm& term, Random& random) {
+  term.kappa = random.between(2, 16);
+}
+inline void vary(Membrane<NeoHookeanBarrier>& term, Random& random) {
+  term.kappa = term.mu() + random.between(0, 8);
+}
+inline void vary(LinearMembrane& term, Random& random) {
+  vary(static_cast<MembraneTerm&>(term), random);
+  term.axes = {axes_of({random.direction(), random.direction()})};
+}
 
 // A cloth of one element, on which one term acts.
 struct TermSample {
@@ -121,6 +132,7 @@ inline std::vector<ListedTerm> every_term() {
   for_each_term(none, [&]<class T>(const std::optional<T>&) {
     std::string name(T::info.table);
     if (!T::info.model.empty()) name += "_" + std::string(T::info.model);
+    std::replace(name.begin(), name.end(), '-', '_');
     terms.push_back({T::info, name, samples_of<T>});
   });
   return terms;
