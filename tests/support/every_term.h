@@ -26,8 +26,9 @@ inline std::vector<PosedElement<Triangle>> poses_of(std::type_identity<Triangle>
       const Rest rest = random_rest(random);
       const Triangle t = make_triangle(rest);
       const Vecs<2> w = pose_w(pose, random);
+      const double narrow = w[0].cross(w[1]).norm() / std::max(w[0].norm(), w[1].norm());
       posed.push_back({name(pose), t, positions(rest, w, random.vector(3, 1)),
-                       std::min(w[0].norm(), w[1].norm()) / t.weight.cwiseAbs().maxCoeff()});
+                       narrow / t.weight.cwiseAbs().maxCoeff()});
     }
   return posed;
 }

@@ -54,10 +54,10 @@ inline Triangle make_triangle(const Rest& rest) {
   return make_triangle({0, 1, 2}, rest[0], rest[1], rest[2]);
 }
 
-enum class Pose { random, compressed, sheared, inverted, collapsed };
+enum class Pose { random, compressed, sheared, inverted, line, collapsed };
 
-inline constexpr std::array<Pose, 5> all_poses = {Pose::random, Pose::compressed, Pose::sheared,
-                                                  Pose::inverted, Pose::collapsed};
+inline constexpr std::array<Pose, 6> all_poses = {
+    Pose::random, Pose::compressed, Pose::sheared, Pose::inverted, Pose::line, Pose::collapsed};
 
 inline const char* name(Pose pose) {
   switch (pose) {
@@ -69,6 +69,8 @@ inline const char* name(Pose pose) {
       return "sheared";
     case Pose::inverted:
       return "inverted";
+    case Pose::line:
+      return "almost_a_line";
     case Pose::collapsed:
       return "collapsed";
   }
@@ -95,6 +97,9 @@ inline Vecs<2> pose_w(Pose pose, Random& random) {
     case Pose::inverted:
       wu *= 0.85, wv *= -1.15;
       break;  // det < 0 in the plane: turned over
+    case Pose::line:
+      wv = random.between(-1.5, 1.5) * wu + 5e-2 * wv;
+      break;
     case Pose::collapsed:
       wu *= 1e-3, wv *= 1.5e-3;
       break;
