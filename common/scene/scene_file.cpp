@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "scene/step_names.h"
+#include "text/text_file.h"
 
 namespace {
 
@@ -80,7 +81,7 @@ std::string SceneFile::effective() const {
        {std::pair{"cloth", "mesh"}, {"start", "positions"}, {"start", "velocities"}})
     if (toml::node* node = scene[table][key].node(); node && node->is_string()) {
       const std::filesystem::path path = file.parent_path() / *node->value<std::string>();
-      if (std::filesystem::exists(path))  // positions = "flat" may be a word
+      if (no_file(path).empty())
         scene[table].as_table()->insert_or_assign(key, std::filesystem::absolute(path).string());
     }
   std::string text;
