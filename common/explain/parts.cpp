@@ -31,22 +31,21 @@ Cloth without_gravity(Cloth cloth) {
   return cloth;
 }
 
+// Every stiffness of a term that is not zero, and its damping.
 template <class T>
 std::string describe(const T& term) {
   const TermInfo& info = T::info;
-  const auto with_unit = [](const char* name, double value, std::string_view unit) {
-    return text("%s%g ", name, value) + std::string(unit);
+  std::vector<std::string> values;
+  const auto note = [&](const char* name, double value, std::string_view unit) {
+    if (value != 0) values.push_back(text("%s = %g ", name, value) + std::string(unit));
   };
-  std::string words(info.table);
-  if (!info.model.empty()) words += " (" + std::string(info.model) + ")";
   if constexpr (requires { term.stiffnesses(); })
-    for (const auto& [name, value] : term.stiffnesses()) {
-      if (value != 0) words += std::string(" ") + name + with_unit(" = ", value, info.units.k);
-    }
+    for (const auto& [name, value] : term.stiffnesses()) note(name, value, info.units.k);
   else
-    words += with_unit(" k = ", term.k, info.units.k);
-  if (term.kd > 0) words += with_unit(", kd = ", term.kd, info.units.kd);
-  return words;
+    values.push_back(text("k = %g ", term.k) + std::string(info.units.k));
+  note("kd", term.kd, info.units.kd);
+  const std::string model = info.model.empty() ? "" : " (" + std::string(info.model) + ")";
+  return std::string(info.table) + model + " " + joined(values, ", ");
 }
 
 // The tables of all terms of a cloth, each once, and the tables of the damped ones.

@@ -177,7 +177,7 @@ TEST_F(BendScene, DampingWithoutTheTableIsRefusedWithWhatTheStepKnows) {
     EXPECT_FALSE(read(scene, program, {.without = {"bend"}}).cloth.hinges.acts());
   }
   EXPECT_EQ(refused(grid + "[damping]\nbent = 1", "step04_cg"),
-            "scene.toml:10: [damping] has no key bent; Valid are stretch, shear");
+            "scene.toml:10: [damping] has no key bent; Valid are stretch, shear, membrane, spring");
   expect_says(refused(grid + "[damping]\nbent = 1"),
               {"scene.toml:10: [damping] has no key bent; did you mean \"bend\"? "});
 }
