@@ -19,6 +19,8 @@ constexpr int rounds = 15;
 const std::vector<Part> parts = {{"gravity", "timed/run_without_gravity"},
                                  {"stretch", "timed/run_without_stretch"},
                                  {"shear", "timed/run_without_shear"},
+                                 {"membrane", "timed/run_without_sheets"},
+                                 {"spring", "timed/run_without_sheets"},
                                  {"bend", "timed/run_without_bend"},
                                  {"stretch.kd", "timed/run_without_stretch_damping"},
                                  {"shear.kd", "timed/run_without_shear_damping"},

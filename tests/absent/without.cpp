@@ -71,6 +71,10 @@ Scene with(const Part& part, const Configuration& configuration) {
   Scene scene = {{"cells", "8"},         {"gravity", "9.81"}, {"stretch", "1000"},
                  {"stretch.kd", "0.02"}, {"shear", "500"},    {"shear.kd", "0.01"}};
   if (configuration.step() == 5) scene = more(scene, {{"bend", "0.0001"}, {"bend.kd", "0.000002"}});
+  if (part.has("membrane"))
+    scene = more(scene,
+                 {{"membrane", "300"}, {"membrane.kd", "0.01"}, {"membrane.model", "neo-hookean"}});
+  if (part.has("spring")) scene = more(scene, {{"spring", "100"}, {"spring.kd", "0.01"}});
   if (part.has("toy")) scene = more(scene, {{"toy", "30"}, {"toy.kd", "0.01"}});
   if (part.only_damping)
     std::erase_if(scene, [&](const auto& argument) {
@@ -89,7 +93,7 @@ Scene without(const Part& part, const Configuration& configuration) {
 Scene with_zero(const Part& part, const Configuration& configuration) {
   Scene scene = with(part, configuration);
   for (auto& [name, value] : scene)
-    if (part.has(name)) value = "0";
+    if (part.has(name) && !name.ends_with(".model")) value = "0";
   return scene;
 }
 
