@@ -61,11 +61,13 @@ int main() {
       way.force_ns.push_back(ns_per_triangle(way.forces, triangles));
       way.matrix_ns.push_back(ns_per_triangle(way.matrices, triangles));
     }
-  const double force = median(ways[0].force_ns), matrix = median(ways[0].matrix_ns);
-  std::printf("%d x %d cells, ns per triangle\n%-22s %12s %18s\n", cells, cells, "", "forces",
-              "forces, K and D");
+  std::printf(
+      "| %d × %d cells, ns per triangle | time of the forces | ratio of times | time with K and D "
+      "| "
+      "ratio of times |\n|---|---|---|---|---|\n",
+      cells, cells);
   for (const Way& way : ways)
-    std::printf("%-22s %6.1f %5.2f %10.1f %7.2f\n", way.name.c_str(), median(way.force_ns),
-                median(way.force_ns) / force, median(way.matrix_ns),
-                median(way.matrix_ns) / matrix);
+    std::printf("| %s | %.0f | %.2f | %.0f | %.2f |\n", way.name.c_str(), median(way.force_ns),
+                median_ratio(way.force_ns, ways[0].force_ns), median(way.matrix_ns),
+                median_ratio(way.matrix_ns, ways[0].matrix_ns));
 }
