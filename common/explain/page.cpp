@@ -262,7 +262,7 @@ void print_one_left_out(const Part& part, const Trial& trial, const Survey& s) {
              padded(percent(1 - trial.seconds / s.mean_seconds()), 6) +
              (s.is_below_error(trial) ? "below the error of h" : "");
   }
-  print_row("    " + padded(part.name, 19) + padded(part.option, 26) + result);
+  print_row("    " + padded(part.name, 20) + padded(part.option, 27) + result);
 }
 
 // All damping as a whole stands for the damping of every term.
@@ -278,7 +278,7 @@ std::vector<std::string> names_below_error(const std::vector<Part>& parts, const
 }  // namespace
 
 void print_left_out(const std::vector<Part>& parts, const Survey& s) {
-  print_row(padded("What could be left out", 49) + "change      of size   time  " +
+  print_row(padded("What could be left out", 51) + "change      of size   time  " +
             text("until t = %.6g s", s.times[s.last()]));
   for (size_t p = 0; p < parts.size(); ++p) print_one_left_out(parts[p], s.left_out[p], s);
   print_wrapped(
