@@ -75,7 +75,7 @@ namespace {
 // Where every vertex is pinned there is nothing to solve. CHOLMOD has no factors of a 0 × 0 matrix.
 class NothingFree : public DirectSolver {
  public:
-  bool solve(const BlockMatrix&, const VecX&, VecX& dv) override {
+  bool factorise_and_solve(const BlockMatrix&, const VecX&, VecX& dv) override {
     dv.setZero();
     return true;
   }
@@ -86,7 +86,7 @@ class SparseLdlt : public DirectSolver {
   SparseLdlt(const BlockMatrix& pattern, const VecX& inverse_mass) : free(pattern, inverse_mass) {
     ldlt.analyzePattern(free.values);
   }
-  bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
+  bool factorise_and_solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
     free.copy(A);
     ldlt.factorize(free.values);
     dv.setZero();
@@ -110,7 +110,7 @@ class DenseInverse : public DirectSolver {
           "this machine's memory is %.3g GB: use --solver ldlt or fewer cells",
           needed / 1e9, n, 0.5 * memory / 1e9));
   }
-  bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
+  bool factorise_and_solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
     free.copy(A);
     const Eigen::MatrixXd dense = Eigen::MatrixXd(free.values).selfadjointView<Eigen::Upper>();
     const Eigen::LDLT<Eigen::MatrixXd> factors(dense);
@@ -131,7 +131,7 @@ class Cholmod : public DirectSolver {
     cholesky.analyzePattern(free.values);
     check_memory();
   }
-  bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
+  bool factorise_and_solve(const BlockMatrix& A, const VecX& b, VecX& dv) override {
     free.copy(A);
     cholesky.factorize(free.values);
     check_memory();

@@ -34,8 +34,17 @@ class DirectSolver {
   virtual ~DirectSolver() = default;
 
   // Solves A Δv = b. False if A is not positive definite: Δv is then the result of LDLᵀ without
-  // pivoting or of the inverse, or zero where LDLᵀ stops.
-  virtual bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) = 0;
+  // pivoting or of the inverse, or zero where LDLᵀ stops. False, too, with Δv zero, where A is singular to
+  // rounding and the Δv of the solver not finite.
+  bool solve(const BlockMatrix& A, const VecX& b, VecX& dv) {
+    const bool definite = factorise_and_solve(A, b, dv);
+    if (dv.allFinite()) return definite;
+    dv.setZero();
+    return false;
+  }
+
+ private:
+  virtual bool factorise_and_solve(const BlockMatrix& A, const VecX& b, VecX& dv) = 0;
 };
 
 // "ldlt": sparse LDLᵀ of Eigen, its ordering found once. "inverse": the dense inverse, a teaching
