@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/make_cloth.h"
+#include "support/differences.h"
 #include "support/energy.h"
 
 namespace baraff_witkin_test {
@@ -170,6 +171,77 @@ TEST(Notes000, EqualAreaIsNotNoDeformation) {
   EXPECT_NEAR(area(p), 0.5, 1e-15);
   expect_close(conditions(unit_rest, p), Vec3(0, std::sqrt(1.25) - 1, 0.5));
   EXPECT_GT(forces(one_triangle(triangle(unit_rest), 1, 1), stacked(p)).norm(), 0.3);
+}
+
+// The note's pure shear is a deformation without a rotation: F is symmetric, with positive eigenvalues, 0.5
+// and 1.5. A simple shear is turned as well, by atan ¼.
+TEST(Notes000, NoRotationMeansASymmetricF) {
+  const auto turn = [](const Vec3& wu, const Vec3& wv) {
+    const Vec3 u = axes_of({wu, wv})[0];
+    return std::atan2(u.y(), u.x());
+  };
+  EXPECT_NEAR(turn({1, 0.5, 0}, {0.5, 1, 0}), 0, 1e-15);
+  EXPECT_NEAR(turn({1, 0, 0}, {0.5, 1, 0}), -std::atan(0.25), 1e-15);
+  const Eigen::Matrix2d F = matrix(1, 0.5, 0.5, 1);
+  expect_close(F * Vec2(1, 1), 1.5 * Vec2(1, 1));
+  expect_close(F * Vec2(1, -1), 0.5 * Vec2(1, -1));
+}
+
+// The note quotes a program that takes U and V of F = U Σ Vᵀ for "rotations", with three question marks. The
+// rotation of F is their product R = U Vᵀ; one of them alone also turns to the axes of the stretch. R is the
+// rotation that is nearest to F. The Q of a QR decomposition is another one, which depends on the order of
+// the columns. The conditions of the note need no rotation: |w| and w_u·w_v do not see it.
+TEST(Notes000, RotationOfFIsUTimesVTransposed) {
+  const auto rotation = [](double a) -> Eigen::Matrix2d {
+    return Eigen::Rotation2Dd(a).toRotationMatrix();
+  };
+  const Eigen::Matrix2d U = rotation(0.9), V = rotation(0.3), R = U * V.transpose();
+  const Eigen::Matrix2d F = U * matrix(1.6, 0, 0, 0.5) * V.transpose();
+  const Axes axes = axes_of({Vec3(F(0, 0), F(1, 0), 0), Vec3(F(0, 1), F(1, 1), 0)});
+  expect_close(matrix(axes[0].x(), axes[1].x(), axes[0].y(), axes[1].y()), R);
+  const double a = F(0, 0) + F(1, 1), b = F(1, 0) - F(0, 1);
+  expect_close(matrix(a, -b, b, a) / std::hypot(a, b), R);
+
+  const double from_R = (F - R).norm();
+  EXPECT_NEAR(from_R, std::hypot(0.6, 0.5), 1e-14);
+  for (const double other : {0.59, 0.61}) EXPECT_GT((F - rotation(other)).norm(), from_R);
+  const double of_first = std::atan2(F(1, 0), F(0, 0)), of_second = std::atan2(-F(0, 1), F(1, 1));
+  EXPECT_GT((F - rotation(of_first)).norm(), from_R + 0.01);
+  EXPECT_GT((F - rotation(of_second)).norm(), from_R + 0.01);
+  EXPECT_GT(std::abs(of_first - of_second), 0.1);
+}
+
+// What that program computes, 2 μ (F − R) Fᵀ + λ J (J − 1) I, is P Fᵀ with P = ∂ψ/∂F of
+// ψ = μ |F − R|² + λ/2 (J − 1)².
+TEST(Notes000, QuotedStressIsThatOfTheFixedCorotatedModel) {
+  const double mu = 3, lambda = 4;
+  const auto R = [](const Eigen::Matrix2d& F) -> Eigen::Matrix2d {
+    return Eigen::Rotation2Dd(std::atan2(F(1, 0) - F(0, 1), F(0, 0) + F(1, 1))).toRotationMatrix();
+  };
+  const auto psi = [&](const VecX& f) {
+    const Eigen::Matrix2d F = f.reshaped(2, 2);
+    const double volume = F.determinant() - 1;
+    return VecX::Constant(1, mu * (F - R(F)).squaredNorm() + lambda / 2 * volume * volume);
+  };
+  const auto P = [&](const VecX& f) -> MatX {
+    const Eigen::Matrix2d F = f.reshaped(2, 2), I = Eigen::Matrix2d::Identity();
+    const double J = F.determinant();
+    const Eigen::Matrix2d quoted = 2 * mu * (F - R(F)) * F.transpose() + lambda * J * (J - 1) * I;
+    return (quoted * F.transpose().inverse()).reshaped().transpose();
+  };
+  const VecX F = matrix(1.2, 0.3, -0.4, 0.8).reshaped();
+  EXPECT_TRUE(is_slope(psi, P, F, 1));
+}
+
+// The note's variable det is 1/det Dm. With it the weights that it prints are those of our triangle. (The
+// quoted comment says that (du2, dv2) points from B to A. It points from A to C.)
+TEST(Notes000, PrintedWeightsAreOursWithTheInverseOfTheDeterminant) {
+  const Rest rest = {Vec2(0.2, 0.1), Vec2(1.3, 0.4), Vec2(0.5, 2.0)};
+  const Vec2 duv10 = rest[1] - rest[0], duv20 = rest[2] - rest[0];
+  const double det = 1 / (duv10(0) * duv20(1) - duv10(1) * duv20(0));
+  Eigen::Matrix<double, 2, 3> printed;
+  printed << duv10(1) - duv20(1), duv20(1), -duv10(1), duv20(0) - duv10(0), -duv20(0), duv10(0);
+  expect_close(det * printed, triangle(rest).weight);
 }
 
 // The note: α is "a constant", and the paper's α is the area a. Neither describes a material: a
