@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that every "ctest … -R NAME" in a Markdown file finds a test.
+"""Checks that every test that a Markdown file names exists: each "ctest … -R NAME" and each `Suite.Name`.
 
     python3 tests/lesson/named_tests.py build/release
 """
@@ -10,17 +10,19 @@ import subprocess
 import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+NAMED = r"ctest[^`\n]*?\s-R\s+('[^']+'|[^\s`)]+)|`([A-Z][A-Za-z0-9]*\.[A-Z][A-Za-z0-9]*)`"
 
 
 def named_expressions():
-    """(file, line, expression) of each -R in the Markdown files of the repository."""
+    """(file, line, expression) of each name of a test in the Markdown files of the repository."""
     for path in sorted(SOURCE.rglob("*.md")):
         if path.relative_to(SOURCE).parts[0] in ("build", "out"):
             continue
         text = path.read_text(encoding="utf-8")
-        for match in re.finditer(r"ctest[^`\n]*?\s-R\s+('[^']+'|[^\s`)]+)", text):
+        for match in re.finditer(NAMED, text):
             line = text.count("\n", 0, match.start()) + 1
-            yield path.relative_to(SOURCE), line, match[1].strip("'")
+            expression = match[1].strip("'") if match[1] else rf"{match[2]}\b"
+            yield path.relative_to(SOURCE), line, expression
 
 
 def main(build):
