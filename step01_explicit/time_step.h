@@ -17,14 +17,14 @@ struct System {
 // 1. Forces ---------------------------------------------------------------------------------------
 
 // All that one element's conditions add up to on its vectors y.
-template <int Y>
+template <class Family>
 struct Sum {
-  Vecs<Y> f = zero_vectors<Y>();
+  Vecs<Family::Y> f = zero_vectors<Family::Y>();
 };
 
 // How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
-template <class Condition, int Y>
-void act(const Term& term, const Condition& c, Sum<Y>& sum) {
+template <class Family>
+void act(const Term& term, const auto& c, Sum<Family>& sum) {
   for (int m = 0; m < c.M; ++m) sum.f[c.first + m] -= term.k * c.C * c.dCdy[m];
 }
 
@@ -33,7 +33,7 @@ template <class Family>
 void add_family(const Family& family, const State& state, System& system) {
   for (const auto& element : family.elements) {
     const Vecs<Family::Y> y = gather(element, state.x);
-    Sum<Family::Y> sum;
+    Sum<Family> sum;
     family.conditions(element, y,
                       [&](const Term& term, const auto& condition) { act(term, condition, sum); });
     scatter(element, sum.f, system.f);

@@ -17,15 +17,15 @@ struct System {
 // 1. Forces ---------------------------------------------------------------------------------------
 
 // All that one element's conditions add up to on its vectors y.
-template <int Y>
+template <class Family>
 struct Sum {
-  Vecs<Y> f = zero_vectors<Y>();
+  Vecs<Family::Y> f = zero_vectors<Family::Y>();
 };
 
 // How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
 // and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
-template <class Condition, class Rates, int Y>
-void act(const Term& term, const Condition& c, const Rates& ydot, Sum<Y>& sum) {
+template <class Family>
+void act(const Term& term, const auto& c, const auto& ydot, Sum<Family>& sum) {
   double Cdot = 0;
   if (term.kd > 0)
     for (int m = 0; m < c.M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
@@ -38,7 +38,7 @@ template <class Family>
 void add_family(const Family& family, const State& state, System& system) {
   for (const auto& element : family.elements) {
     const Vecs<Family::Y> y = gather(element, state.x), ydot = gather(element, state.v);
-    Sum<Family::Y> sum;
+    Sum<Family> sum;
     family.conditions(element, y, [&](const Term& term, const auto& condition) {
       act(term, condition, ydot, sum);
     });

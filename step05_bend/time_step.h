@@ -35,19 +35,19 @@ struct System {
 // 1. Forces and their derivatives -----------------------------------------------------------------
 
 // All that one element's conditions add up to on its vectors y.
-template <int Y>
+template <class Family>
 struct Sum {
-  Vecs<Y> f = zero_vectors<Y>();
-  Mats<Y> K = zero_matrices<Y>(), D = K;
-  Tension<Y> T;
+  Vecs<Family::Y> f = zero_vectors<Family::Y>();
+  ElementMatrix<typename Family::Element> K, D;
+  Tension<Family::Y> T;
 };
 
 // How a condition acts:  f = −∂E/∂y = −k C ∂C/∂y
 // and how it is damped:  d = −kd Ċ ∂C/∂y,  Ċ = ∂C/∂y · ẏ
 // Their derivatives:     K = −k ∂C/∂y ∂C/∂yᵀ − (k C + kd Ċ) ∂²C/∂y²,  D = −kd ∂C/∂y ∂C/∂yᵀ
 // With --jacobian definite, K keeps of ∂²C/∂y² only the tension T of the element: A is positive definite.
-template <class Condition, class Rates, int Y>
-void act(const Term& term, const Condition& c, Jacobian jacobian, const Rates& ydot, Sum<Y>& sum) {
+template <class Family>
+void act(const Term& term, const auto& c, Jacobian jacobian, const auto& ydot, Sum<Family>& sum) {
   double Cdot = 0;
   if (term.kd > 0)
     for (int m = 0; m < c.M; ++m) Cdot += c.dCdy[m].dot(ydot[c.first + m]);
@@ -55,13 +55,13 @@ void act(const Term& term, const Condition& c, Jacobian jacobian, const Rates& y
   for (int m = 0; m < c.M; ++m) sum.f[c.first + m] -= load * c.dCdy[m];
 
   sum.T.add(term.k * c.C, c);
-  const auto d2Cdy2 = jacobian == Jacobian::bw98 ? c.second() : zero_matrices<Condition::M>();
   for (int m = 0; m < c.M; ++m)
-    for (int n = 0; n < c.M; ++n) {
+    for (int n = m; n < c.M; ++n) {
       const Mat3 ggT = c.dCdy[m] * c.dCdy[n].transpose();
-      sum.K[c.first + m][c.first + n] -= term.k * ggT + load * d2Cdy2[m][n];
-      sum.D[c.first + m][c.first + n] -= term.kd * ggT;
+      sum.K.add(c.first + m, c.first + n, -term.k * ggT);
+      if (term.kd > 0) sum.D.add(c.first + m, c.first + n, -term.kd * ggT);
     }
+  if (jacobian == Jacobian::bw98) add_second(-load, c, sum.K);
 }
 
 // One family of elements: gather y, let its conditions act there, and scatter to the vertices.
@@ -70,14 +70,13 @@ void add_family(const Family& family, const State& state, System& system) {
   auto slot = system.slots.of(family).begin();
   for (const auto& element : family.elements) {
     const Vecs<Family::Y> y = gather(element, state.x), ydot = gather(element, state.v);
-    Sum<Family::Y> sum;
+    Sum<Family> sum{.K = {element, *slot, system.K}, .D = {element, *slot, system.D}};
     family.conditions(element, y, [&](const Term& term, const auto& condition) {
       act(term, condition, system.method.jacobian, ydot, sum);
     });
     if (system.method.jacobian == Jacobian::definite) sum.T.subtract_from(sum.K, element, y);
     scatter(element, sum.f, system.f);
-    scatter(element, sum.K, *slot, system.K);
-    if (!system.D.empty()) scatter(element, sum.D, *slot, system.D);
+    sum.K.scatter(), sum.D.scatter();
     ++slot;
   }
 }
@@ -90,8 +89,7 @@ inline void add_gravity(const Cloth& cloth, System& system) {
 // flatten: the compiler inlines every call in this function. A step is then up to a tenth faster.
 [[gnu::flatten]] inline void forces(const Cloth& cloth, const State& state, System& system) {
   system.f.setZero();
-  system.K.set_zero();
-  system.D.set_zero();
+  system.K.set_zero(), system.D.set_zero();
   if (cloth.gravity) add_gravity(cloth, system);
   add_family(cloth.triangles, state, system);
   add_family(cloth.springs, state, system);

@@ -6,6 +6,7 @@
 // below the diagonal is the transpose of its mirror image.
 #pragma once
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "math/condition.h"
@@ -123,36 +124,66 @@ auto find_slots(const Family& family, const BlockMatrix& A) {
   return slots;
 }
 
-// Adds the blocks i ≤ j of an element to the half that is stored.
-template <size_t N>
-void add_blocks(const std::array<int, N>& vertices, const std::array<std::array<Mat3, N>, N>& A_e,
-                const std::array<int, N*(N - 1) / 2>& slots, BlockMatrix& A) {
-  for (size_t i = 0, pair = 0; i < N; ++i) {
-    A.diagonal[vertices[i]] += A_e[i][i];
-    for (size_t j = i + 1; j < N; ++j, ++pair)
-      if (vertices[i] < vertices[j])
-        A.upper[slots[pair]] += A_e[i][j];
-      else
-        A.upper[slots[pair]] += A_e[i][j].transpose();
+// Adds B, the block (i, j) of an element, i ≤ j, to the half that is stored: as it is, or transposed.
+template <int N, class Block>
+void add_block(const std::array<int, N>& vertices, int i, int j, int pair, const Slots<N>& slots,
+               const Block& B, BlockMatrix& A) {
+  if (i == j)
+    A.diagonal[vertices[i]] += B;
+  else if (vertices[i] < vertices[j])
+    A.upper[slots[pair]] += B;
+  else
+    A.upper[slots[pair]] += B.transpose();
+}
+
+template <int N>
+void add_blocks(const std::array<int, N>& vertices, const Mats<N>& A_e, const Slots<N>& slots,
+                BlockMatrix& A) {
+  for (int i = 0, pair = 0; i < N; ++i) {
+    add_block<N>(vertices, i, i, 0, slots, A_e[i][i], A);
+    for (int j = i + 1; j < N; ++j, ++pair) add_block<N>(vertices, i, j, pair, slots, A_e[i][j], A);
   }
 }
+
+// The symmetric matrix of one element: a sum over its conditions, each on the vectors y that it reads. Only the
+// blocks m ≤ n are formed.
+template <int N, int Y>
+class MatrixOnY {
+ public:
+  MatrixOnY(const Element<N, Y>& element_, const Slots<N>& slots_, BlockMatrix& A_)
+      : element(element_), slots(slots_), A(A_) {}
+
+  template <class Block>
+  void add(int m, int n, const Block& B) {
+    A_y[m][n] += B;
+  }
+  const Mats<Y>& on_y() const { return A_y; }
+  void scatter() const;  // nothing where A is empty
+
+ private:
+  const Element<N, Y>& element;
+  const Slots<N>& slots;
+  BlockMatrix& A;
+  Mats<Y> A_y = zero_matrices<Y>();
+};
 
 // The chain rule once more:  A_ij += Σ_mn weight(m, i) A_mn weight(n, j)  for a symmetric A on y.
 // Only the blocks of vertices 1, 2, … are multiplied out; because the weights of each y add up to
 // zero, every row of blocks does too, and that gives the blocks of vertex 0.
 template <int N, int Y>
-void scatter(const Element<N, Y>& e, const std::type_identity_t<Mats<Y>>& A_y,
-             const Slots<N>& slots, BlockMatrix& A) {
-  std::array<std::array<Mat3, N>, N> A_e;
+void MatrixOnY<N, Y>::scatter() const {
+  if (A.empty()) return;
+  Mats<N> A_e;
   for (int j = 1; j < N; ++j) {
     std::array<Mat3, Y> A_j;  // Σ_n A_mn weight(n, j)
     for (int m = 0; m < Y; ++m) {
-      A_j[m] = e.weight(0, j) * A_y[m][0];
-      for (int n = 1; n < Y; ++n) A_j[m] += e.weight(n, j) * A_y[m][n];
+      A_j[m] = element.weight(m, j) * A_y[m][m];
+      for (int n = 0; n < m; ++n) A_j[m] += element.weight(n, j) * A_y[n][m].transpose();
+      for (int n = m + 1; n < Y; ++n) A_j[m] += element.weight(n, j) * A_y[m][n];
     }
     for (int i = 1; i <= j; ++i) {
-      A_e[i][j] = e.weight(0, i) * A_j[0];
-      for (int m = 1; m < Y; ++m) A_e[i][j] += e.weight(m, i) * A_j[m];
+      A_e[i][j] = element.weight(0, i) * A_j[0];
+      for (int m = 1; m < Y; ++m) A_e[i][j] += element.weight(m, i) * A_j[m];
     }
   }
   A_e[0][0].setZero();
@@ -162,11 +193,39 @@ void scatter(const Element<N, Y>& e, const std::type_identity_t<Mats<Y>>& A_y,
     for (int i = j + 1; i < N; ++i) A_e[0][j] -= A_e[j][i].transpose();
     A_e[0][0] -= A_e[0][j];
   }
-  add_blocks(e.vertices, A_e, slots, A);
+  add_blocks<N>(element.vertices, A_e, slots, A);
 }
 
+// The same where the vectors y are the vertices: a block goes straight to its place in A.
 template <int N>
-void scatter(const VertexElement<N>& e, const std::type_identity_t<Mats<N>>& A_y,
-             const Slots<N>& slots, BlockMatrix& A) {
-  add_blocks(e.vertices, A_y, slots, A);
+class MatrixOnVertices {
+ public:
+  MatrixOnVertices(const VertexElement<N>& element_, const Slots<N>& slots_, BlockMatrix& A_)
+      : element(element_), slots(slots_), A(A_) {}
+
+  template <class Block>
+  void add(int i, int j, const Block& B) {
+    add_block<N>(element.vertices, i, j, i * (2 * N - 1 - i) / 2 + j - i - 1, slots, B, A);
+  }
+  void scatter() const {}
+
+ private:
+  const VertexElement<N>& element;
+  const Slots<N>& slots;
+  BlockMatrix& A;
+};
+
+template <int N, int Y>
+MatrixOnY<N, Y> matrix_of(const Element<N, Y>&);
+template <int N>
+MatrixOnVertices<N> matrix_of(const VertexElement<N>&);
+template <class Element>
+using ElementMatrix = decltype(matrix_of(std::declval<const Element&>()));
+
+// Adds factor ∂²C/∂y² of a condition to the matrix of its element.
+template <class Condition, class Matrix>
+void add_second(double factor, const Condition& c, Matrix& A) {
+  const auto d2Cdy2 = c.second();
+  for (int m = 0; m < c.M; ++m)
+    for (int n = m; n < c.M; ++n) A.add(c.first + m, c.first + n, factor * d2Cdy2[m][n]);
 }

@@ -47,8 +47,9 @@ struct TermSlot {
   std::optional<T> term;
 };
 
-template <class Element, class... Terms>
+template <class Element_, class... Terms>
 struct Family : TermSlot<Terms>... {
+  using Element = Element_;
   static constexpr int N = Element::N, Y = Element::Y;
   std::vector<Element> elements;  // empty where no term acts on them
 

@@ -39,13 +39,13 @@ struct Tension {
       T.template block<Condition::M, Condition::M>(c.first, c.first) += load * c.across();
   }
   // K −= T₊ ⊗ P
-  template <class Element>
-  void subtract_from(Mats<Y>& K, const Element& element, const Vecs<Y>& y) const {
+  template <class Matrix, class Element>
+  void subtract_from(Matrix& K, const Element& element, const Vecs<Y>& y) const {
     if constexpr (requires { across(element, y); }) {
       const Square<Y> positive = positive_part(T);
       const Mat3 P = across(element, y);
       for (int m = 0; m < Y; ++m)
-        for (int n = 0; n < Y; ++n) K[m][n] -= positive(m, n) * P;
+        for (int n = m; n < Y; ++n) K.add(m, n, -positive(m, n) * P);
     }
   }
 

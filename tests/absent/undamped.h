@@ -12,7 +12,9 @@ Nothing operator*(Nothing, const X&) {
 inline double operator+(double sum, Nothing) {
   return sum;
 }
-inline void operator-=(Mat3&, Nothing) {}
+inline Nothing operator-(Nothing) {
+  return {};
+}
 constexpr bool operator>(Nothing, int) {
   return false;
 }

@@ -58,7 +58,7 @@ void clamped_matrix(const Cloth& cloth, const State& state, step03::System& syst
   system.K.set_zero();
   auto slot = system.slots.of(cloth.triangles).begin();
   for (const Triangle& t : cloth.triangles.elements) {
-    step03::Sum<2> sum;
+    step03::Sum<Triangles> sum{.K = {t, *slot, system.K}, .D = {t, *slot, system.D}};
     const Vecs<2> w = gather(t, state.x), wdot = gather(t, state.v);
     cloth.triangles.conditions(t, w, [&](const Term& term, const auto& c) {
       step03::act(term, c, Jacobian::bw98, wdot, sum);
@@ -68,13 +68,15 @@ void clamped_matrix(const Cloth& cloth, const State& state, step03::System& syst
       for (int j = 0; j < 3; ++j)
         for (int m = 0; m < 2; ++m)
           for (int n = 0; n < 2; ++n)
-            K.block<3, 3>(3 * i, 3 * j) += t.weight(m, i) * sum.K[m][n] * t.weight(n, j);
+            K.block<3, 3>(3 * i, 3 * j) +=
+                t.weight(m, i) * t.weight(n, j) *
+                (m <= n ? sum.K.on_y()[m][n] : Mat3(sum.K.on_y()[n][m].transpose()));
     const auto [values, vectors] = eigenpairs(K);
     const MatX clamped = vectors * values.cwiseMin(0.0).asDiagonal() * vectors.transpose();
     std::array<std::array<Mat3, 3>, 3> blocks;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) blocks[i][j] = clamped.block<3, 3>(3 * i, 3 * j);
-    add_blocks(t.vertices, blocks, *slot++, system.K);
+    add_blocks<3>(t.vertices, blocks, *slot++, system.K);
   }
 }
 
