@@ -14,4 +14,7 @@ struct Grid {
 
   int vertices() const { return (cells[0] + 1) * (cells[1] + 1); }
   int vertex(int i, int j) const { return j * (cells[0] + 1) + i; }
+
+  bool can_be_halved() const { return cells[0] % 2 == 0 && cells[1] % 2 == 0; }
+  Grid half() const { return {{cells[0] / 2, cells[1] / 2}, diagonals}; }  // of half as many cells
 };

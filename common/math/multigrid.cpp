@@ -1,37 +1,10 @@
 #include "math/multigrid.h"
 
 #include <Eigen/Eigenvalues>
-#include <stdexcept>
 
 namespace {
 
-constexpr int most_dense = 200;  // vertices of the coarsest grid
-
-bool even(const Grid& grid) {
-  return grid.cells[0] % 2 == 0 && grid.cells[1] % 2 == 0;
-}
-
-Grid half(const Grid& grid) {
-  return {{grid.cells[0] / 2, grid.cells[1] / 2}, grid.diagonals};
-}
-
-void check(const Grid& grid) {
-  Grid coarsest = grid;
-  while (even(coarsest)) coarsest = half(coarsest);
-  const auto text = [](const Grid& g) {
-    return std::to_string(g.cells[0]) + " x " + std::to_string(g.cells[1]);
-  };
-  const std::string name = "--preconditioner multigrid: ";
-  if (!even(grid))
-    throw std::invalid_argument(name + "a grid of " + text(grid) +
-                                " cells cannot be halved; take even numbers of cells, or use "
-                                "--preconditioner ic");
-  if (coarsest.vertices() > most_dense)
-    throw std::invalid_argument(name + "halving " + text(grid) + " cells ends at " +
-                                text(coarsest) +
-                                ", too many to be solved densely; take numbers of cells that are "
-                                "multiples of a power of two, or use --preconditioner ic");
-}
+constexpr int most_dense = 200;  // vertices of the coarsest level of a mesh
 
 // The projector onto the range of a symmetric sum of projectors.
 Mat3 range(const Mat3& sum) {
@@ -44,8 +17,7 @@ Mat3 range(const Mat3& sum) {
 }
 
 // A coarse vertex may move in every direction in which one of its fine children may.
-std::vector<Pin> coarse_pins(const std::vector<Pin>& pins,
-                             const std::vector<std::vector<Parent>>& parents, int coarse) {
+std::vector<Pin> coarse_pins(const std::vector<Pin>& pins, const Parents& parents, int coarse) {
   std::vector<Mat3> free(parents.size(), Mat3::Identity());
   for (const Pin& pin : pins) free[pin.vertex] = pin.S;
   std::vector<Mat3> sum(size_t(coarse), Mat3::Zero());
@@ -59,35 +31,18 @@ std::vector<Pin> coarse_pins(const std::vector<Pin>& pins,
 
 }  // namespace
 
-std::vector<std::vector<Parent>> coarse_parents(const Grid& fine) {
-  const Grid coarse = half(fine);
-  std::vector<std::vector<Parent>> parents;
-  for (int j = 0; j <= fine.cells[1]; ++j)
-    for (int i = 0; i <= fine.cells[0]; ++i) {
-      const int I = i / 2, J = j / 2, right = i % 2, up = j % 2;
-      const auto parent = [&](int di, int dj, double weight) {
-        return Parent{coarse.vertex(I + di, J + dj), weight};
-      };
-      if (!right && !up)
-        parents.push_back({parent(0, 0, 1)});
-      else if (!(right && up))
-        parents.push_back({parent(0, 0, 0.5), parent(right, up, 0.5)});
-      else if (fine.diagonals == Diagonals::same)
-        parents.push_back({parent(1, 0, 0.5), parent(0, 1, 0.5)});
-      else
-        parents.push_back(
-            {parent(0, 0, 0.25), parent(1, 0, 0.25), parent(0, 1, 0.25), parent(1, 1, 0.25)});
-    }
-  return parents;
-}
-
-Multigrid::Multigrid(const BlockMatrix& pattern, const std::vector<Pin>& pins, const Grid& grid) {
-  check(grid);
+Multigrid::Multigrid(const BlockMatrix& pattern, const std::vector<Pin>& pins,
+                     std::optional<Grid> grid) {
   levels.emplace_back(pattern, pins);
   std::vector<Pin> held = pins;
-  for (Grid fine = grid; even(fine); fine = half(fine)) {
+  for (;;) {
+    Level& fine = levels.back();
+    if (grid && !grid->can_be_halved()) grid.reset();
+    if (!grid && fine.A.rows() <= most_dense) break;
+    fine.parents = grid ? coarse_parents(*grid) : aggregate_parents(fine.A);
+    if (grid) grid = grid->half();
     const BlockMatrix coarse = map_to_coarse(fine);
-    held = coarse_pins(held, levels.back().parents, coarse.rows());
+    held = coarse_pins(held, fine.parents, coarse.rows());
     levels.emplace_back(coarse, held);
   }
   const Eigen::Index n = 3 * levels.back().A.rows();
@@ -100,10 +55,8 @@ Multigrid::Level::Level(const BlockMatrix& pattern, const std::vector<Pin>& pins
       r(VecX::Zero(3 * pattern.rows())), s(r), t(r) {}
 
 // The pattern of the next level: a block for every two vertices that are parents of neighbours.
-BlockMatrix Multigrid::map_to_coarse(const Grid& grid) {
-  Level& fine = levels.back();
+BlockMatrix Multigrid::map_to_coarse(Level& fine) {
   const BlockMatrix& A = fine.A;
-  fine.parents = coarse_parents(grid);
 
   const auto for_each_pair = [&](int i, int j, const auto& act) {
     for (const Parent& I : fine.parents[i])
@@ -122,7 +75,7 @@ BlockMatrix Multigrid::map_to_coarse(const Grid& grid) {
         pairs.push_back({std::min(I.vertex, J.vertex), std::max(I.vertex, J.vertex)});
     });
   });
-  BlockMatrix coarse = make_block_matrix(half(grid).vertices(), std::move(pairs));
+  BlockMatrix coarse = make_block_matrix(coarse_vertices(fine.parents), std::move(pairs));
 
   const auto place = [&](int I, int J) { return I == J ? I : coarse.rows() + coarse.slot(I, J); };
   // Only upper blocks are stored: (i, j) adds to (I, J) where I < J, else its transpose adds to (J, I).
@@ -180,7 +133,7 @@ void Multigrid::set(const BlockMatrix& A) {
   }
   // P can map a coarse zigzag onto pinned vertices only; its pivot would be zero. This small number
   // prevents that.
-  dense.diagonal().array() += 1e-12 * dense.diagonal().maxCoeff();
+  dense.diagonal().array() += 1e-12 * dense.lpNorm<Eigen::Infinity>();
   coarsest.compute(dense);
 }
 

@@ -71,9 +71,5 @@ std::unique_ptr<Preconditioner> make_preconditioner(const std::string& name,
   if (name != "multigrid")
     throw std::invalid_argument("--preconditioner " + name + ": must be " +
                                 choices(preconditioner_names));
-  if (!grid)
-    throw std::invalid_argument(
-        "--preconditioner multigrid: the cloth is a mesh, and only a grid can be halved; use "
-        "--preconditioner ic");
-  return std::make_unique<Multigrid>(pattern, pins, *grid);
+  return std::make_unique<Multigrid>(pattern, pins, grid);
 }

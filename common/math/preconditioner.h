@@ -27,8 +27,7 @@ inline Mat3 inverse_of(const Mat3& B) {
 }
 
 // "none": one number. "jacobi": the diagonal of A. "block": its 3 × 3 diagonal blocks.
-// "ic": incomplete_cholesky.h. "multigrid": multigrid.h. Throws std::invalid_argument for any other name,
-// and for multigrid on a cloth that is not a grid of even cells; the message names an alternative.
+// "ic": incomplete_cholesky.h. "multigrid": multigrid.h. Throws std::invalid_argument for any other name.
 std::unique_ptr<Preconditioner> make_preconditioner(const std::string& name,
                                                     const BlockMatrix& pattern,
                                                     const std::vector<Pin>& pins,

@@ -95,10 +95,7 @@ const std::vector<MapWay>& map_ways() {
 
 Cell watch_cell(const MapWay& map, MapScene kind, double h, double k, const Watch& watch) {
   TestScene scene = scene_of(map, kind, k, watch);
-  Configuration configuration = map.configuration;
-  if (kind == MapScene::strip && configuration.method.preconditioner == "multigrid")
-    configuration.method.preconditioner = "ic";  // multigrid cannot halve 3 cells
-  const auto simulator = make_simulator(configuration, scene.cloth);
+  const auto simulator = make_simulator(map.configuration, scene.cloth);
   State state = scene.start;
   const double E_start = energies(scene.cloth, state).total();
   const double scale = kind == MapScene::strip ? E_start : scene.cloth.mass.sum() / 3 * g * size;

@@ -4,6 +4,7 @@
 // Compiled here, not linked, because Eigen's check is compiled into the code that it watches.
 #include "math/incomplete_cholesky.cpp"
 #include "math/multigrid.cpp"
+#include "math/parents.cpp"
 #include "math/pin.cpp"
 #include "math/pinned_blocks.cpp"
 #include "math/preconditioner.cpp"
@@ -13,9 +14,9 @@
 namespace cg_allocation_test {
 
 struct CgAllocation : testing::TestWithParam<const char*> {
-  // Of 20 steps after the first, on a sheet that halves down to a grid of `coarsest` × `coarsest`.
-  int allocations_in_steps(int coarsest) {
-    const Mesh mesh = make_grid({1, 1}, {2 * coarsest, 2 * coarsest}, Diagonals::alternating);
+  // Of 20 steps after the first, on a sheet of `cells` × `cells`.
+  int allocations_in_steps(int cells) {
+    const Mesh mesh = make_grid({1, 1}, {cells, cells}, Diagonals::alternating);
     Model model;
     model.add(StretchTerm(1000, 1));
     model.add(ShearTerm(500, 1));
@@ -42,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Preconditioners, CgAllocation,
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(CgAllocation, AStepAllocatesNothing) {
-  EXPECT_EQ(allocations_in_steps(3), 0);
+  EXPECT_EQ(allocations_in_steps(6), 0);
 }
 
 // The first step is a plain one. Nor does Newton's method then allocate, wherever the guard calls it.
@@ -71,9 +72,14 @@ TEST_P(CgAllocation, NorDoesANewtonStep) {
   }
 }
 
-// 13 × 13 cells, 588 coordinates.
+// Halved once to 13 × 13 cells, 588 coordinates.
 TEST_P(CgAllocation, NorDoesOneWithALargeCoarsestGrid) {
-  EXPECT_EQ(allocations_in_steps(13), 0);
+  EXPECT_EQ(allocations_in_steps(26), 0);
+}
+
+// 256 vertices that cannot be halved.
+TEST_P(CgAllocation, NorDoesOneWithAggregates) {
+  EXPECT_EQ(allocations_in_steps(15), 0);
 }
 
 }  // namespace cg_allocation_test

@@ -118,13 +118,20 @@ TEST_P(ConjugateGradients, ToleranceIsTheErrorThatIsLeft) {
   EXPECT_LT(fine, 0.01 * loose);
 }
 
-TEST_P(ConjugateGradients, MultigridNamesAnotherPreconditionerForWhatItCannotHalve) {
-  const std::string instead = "--preconditioner ic";
-  expect_refused(small_square(7, {"--preconditioner", "multigrid"}), {"7 x 7", "halved", instead});
+// A grid of 256 vertices that cannot be halved, and a mesh of four.
+TEST_P(ConjugateGradients, MultigridTakesEveryMesh) {
   write("mesh.toml", mesh_scene);
   write("mesh.obj", mesh);
-  expect_refused({"mesh.toml", "--preconditioner", "multigrid"}, {"mesh", instead});
-  EXPECT_EQ(run_to("ic", {"mesh.toml", "--preconditioner", "ic"}).code, 0);
+  const auto agree = [&](const std::string& name, const Arguments& arguments) {
+    for (const std::string preconditioner : {"ic", "multigrid"}) {
+      Arguments all = arguments;
+      all.insert(all.end(), {"--tolerance", "1e-10", "--preconditioner", preconditioner});
+      EXPECT_EQ(run_to(name + preconditioner, all).code, 0);
+    }
+    EXPECT_LT((positions(name + "multigrid") - positions(name + "ic")).cwiseAbs().maxCoeff(), 1e-8);
+  };
+  agree("odd", small_square(15, {"--end", "0.1"}));
+  agree("mesh", {"mesh.toml"});
 }
 
 TEST_P(ConjugateGradients, OptionsOutOfRangeAreRefusedWithWhatIsValid) {
