@@ -9,6 +9,7 @@ bool bench_step();
 bool bench_growth();
 bool bench_warm();
 bool bench_bend();
+bool bench_mesh();
 
 inline bool require(bool holds, const char* what) {
   if (!holds) std::printf("NOT as it should be: %s\n", what);

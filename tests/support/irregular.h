@@ -5,8 +5,8 @@
 #include "scene/mesh.h"
 #include "support/poses.h"
 
-// A disc of radius 1/2 m in the plane y = 0, of 6 rings² triangles: ring r has 6 r vertices, anywhere near even
-// distances. The triangles between two rings join each vertex to those that it passes on the way around.
+// A disc of radius 1/2 m in the plane y = 0, of 6 rings² triangles. Ring r has 6 r vertices, at random near
+// even distances. Between two rings each triangle takes the vertex that comes next around, on either ring.
 inline Mesh random_disc(int rings, unsigned seed) {
   Random random(seed);
   Mesh mesh;
