@@ -7,6 +7,8 @@
 #include "math/preconditioner.h"
 #include "math/stable_step.h"
 #include "ways/counted.h"
+#include "ways/vbd.h"
+#include "ways/xpbd.h"
 
 // The steps unchanged, but with matrices and energies that count, and in namespaces of their own.
 #define BlockMatrix CountedMatrix
@@ -99,6 +101,57 @@ class Implicit : public Simulator {
   Counts counted;
 };
 
+// XPBD and VBD. Every read of an element takes its bytes, and at each of its corners those of `per_corner`.
+template <class System, class TimeStep>
+class Sweeping : public Simulator {
+ public:
+  Sweeping(Cloth& cloth_, int sweeps, TimeStep time_step_, long per_corner_)
+      : cloth(cloth_), system(cloth, sweeps), time_step(time_step_), per_corner(per_corner_) {
+    if (sweeps < 1) throw std::invalid_argument("XPBD and VBD take one sweep per step or more");
+  }
+
+  void step(double h, State& state) override {
+    time_step(cloth, h, state, system);
+    ++steps;
+  }
+  const VecX& forces(const State& state) override {
+    follow(cloth.hinges.elements, state.x);
+    ::forces(cloth, state, f);
+    return f;
+  }
+
+  // x̃ and v = (x − x0)/h read six vectors and write three.
+  Counts counts() const override {
+    long elements = 0, bytes = 0;
+    for_each_family(cloth, [&](const auto& family) {
+      for (const auto& element : family.elements) {
+        ++elements;
+        bytes += long(sizeof element) + long(element.vertices.size()) * per_corner;
+      }
+    });
+    Counts all;
+    all.iterations = steps * system.sweeps;
+    all.bytes = steps * 9 * long(sizeof(double)) * cloth.mass.size();
+    if (elements == 0) return all;
+    all.forces = system.reads.forces / elements;
+    all.energies = system.reads.energies / elements;
+    all.bytes += (system.reads.forces + system.reads.energies) * bytes / elements;
+    return all;
+  }
+
+ private:
+  Cloth& cloth;
+  System system;
+  TimeStep time_step;
+  long per_corner, steps = 0;
+  VecX f;
+};
+
+template <class System, class TimeStep>
+std::unique_ptr<Simulator> make_sweeping(Cloth& cloth, int sweeps, TimeStep step, long per_corner) {
+  return std::make_unique<Sweeping<System, TimeStep>>(cloth, sweeps, step, per_corner);
+}
+
 template <class System, class TimeStep, class Forces>
 std::unique_ptr<Simulator> make_explicit(Cloth& cloth, bool velocities, TimeStep step,
                                          Forces forces) {
@@ -113,9 +166,7 @@ std::unique_ptr<Simulator> make_implicit(Cloth& cloth, const Method& method, Tim
   return std::make_unique<Implicit<System, TimeStep, Forces>>(cloth, method, step, forces);
 }
 
-}  // namespace
-
-std::unique_ptr<Simulator> make_simulator(const Configuration& configuration, Cloth& cloth) {
+std::unique_ptr<Simulator> make_step(const Configuration& configuration, Cloth& cloth) {
   switch (configuration.step) {
     case 1:
       return make_explicit<step01::System>(cloth, false, step01::time_step, step01::forces);
@@ -132,6 +183,23 @@ std::unique_ptr<Simulator> make_simulator(const Configuration& configuration, Cl
                                            step05::forces);
     default:
       throw std::invalid_argument("there is no step " + std::to_string(configuration.step));
+  }
+}
+
+}  // namespace
+
+// XPBD reads x, x0, S and 1/m of a corner, and writes x. VBD reads x, x0 and the place of the corner.
+std::unique_ptr<Simulator> make_simulator(const Configuration& configuration, Cloth& cloth) {
+  constexpr long vector = sizeof(Vec3), matrix = sizeof(Mat3), number = sizeof(double);
+  switch (configuration.scheme) {
+    case Scheme::xpbd:
+      return make_sweeping<xpbd::System>(cloth, configuration.sweeps, xpbd::time_step,
+                                         3 * vector + matrix + number);
+    case Scheme::vbd:
+      return make_sweeping<vbd::System>(cloth, configuration.sweeps, vbd::time_step,
+                                        2 * vector + long(sizeof(vbd::System::Corner)));
+    default:
+      return make_step(configuration, cloth);
   }
 }
 
