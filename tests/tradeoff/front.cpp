@@ -31,6 +31,13 @@ bool more_accurate(const Score& a, const Score& b) {
 
 }  // namespace
 
+std::vector<Score> offered(const std::vector<Score>& scores) {
+  std::vector<Score> kept;
+  for (const Score& score : scores)
+    if (is_of_step(score.trial.configuration)) kept.push_back(score);
+  return kept;
+}
+
 std::vector<Score> pareto_front(const std::vector<Score>& scores) {
   std::vector<Score> sorted = answers(scores), front;
   std::sort(sorted.begin(), sorted.end(), [](const Score& a, const Score& b) {
@@ -57,8 +64,9 @@ std::optional<Score> most_accurate(const std::vector<Score>& scores, double base
 }
 
 std::optional<std::pair<Score, Score>> crossover(const std::vector<Score>& front) {
-  const auto is_explicit = [](const Score& s) { return s.trial.configuration.step < 3; };
-  const auto first = std::find_if(front.begin(), front.end(), is_explicit);
+  const auto first = std::find_if(front.begin(), front.end(), [](const Score& s) {
+    return is_explicit(s.trial.configuration);
+  });
   if (first == front.begin() || first == front.end()) return {};
   return std::pair(*(first - 1), *first);
 }

@@ -8,6 +8,9 @@
 
 namespace tradeoff {
 
+// The trials that the program of a step can repeat: all but those of XPBD and VBD.
+std::vector<Score> offered(const std::vector<Score>&);
+
 // From the cheapest to the most accurate.
 std::vector<Score> pareto_front(const std::vector<Score>&);
 
@@ -22,7 +25,7 @@ std::optional<Score> most_accurate(const std::vector<Score>&, double baselines);
 
 // Where explicit steps replace implicit ones on the front, from cheap to accurate: the
 // last implicit trial and the first explicit one. Empty if the cheapest trial is
-// explicit, or if no trial is.
+// explicit, or if no trial is. The front is one of offered trials.
 std::optional<std::pair<Score, Score>> crossover(const std::vector<Score>& front);
 
 }  // namespace tradeoff

@@ -17,12 +17,12 @@ struct Series {
 };
 
 bool plain(const Configuration& configuration) {
-  return configuration.step > 2 && configuration.method.newton == 1 &&
+  return is_implicit(configuration) && configuration.method.newton == 1 &&
          configuration.method.jacobian == Jacobian::definite;
 }
 
 const std::vector<Series> all_series = {
-    {"explicit", "lt 2", [](const Configuration& configuration) { return configuration.step < 3; }},
+    {"explicit", "lt 2", is_explicit},
     {"implicit, direct solver", "lt 1",
      [](const Configuration& configuration) {
        return plain(configuration) && configuration.step == 3;
@@ -33,13 +33,17 @@ const std::vector<Series> all_series = {
      }},
     {"implicit, matrix of BW98", "lt 6",
      [](const Configuration& configuration) {
-       return configuration.step > 2 && configuration.method.newton == 1 &&
+       return is_implicit(configuration) && configuration.method.newton == 1 &&
               configuration.method.jacobian == Jacobian::bw98;
      }},
     {"implicit, Newton's method", "lt 4",
      [](const Configuration& configuration) {
-       return configuration.step > 2 && configuration.method.newton > 1;
+       return is_implicit(configuration) && configuration.method.newton > 1;
      }},
+    {"XPBD, in no step", "lt 5",
+     [](const Configuration& configuration) { return configuration.scheme == Scheme::xpbd; }},
+    {"VBD, in no step", "lt 7",
+     [](const Configuration& configuration) { return configuration.scheme == Scheme::vbd; }},
 };
 
 std::string data_block(const std::string& name, const Study& study,
@@ -92,7 +96,8 @@ std::string series_and_front(const Study& study, const std::vector<Score>& front
     lines += "$" + name + "_front using 1:2 with linespoints " + style + " title \"" + title +
              "\", \\\n";
   }
-  return plot + lines + "1/0 with lines lw 14 lc rgb \"#dddddd\" title \"Pareto front\"\n";
+  return plot + lines +
+         "1/0 with lines lw 14 lc rgb \"#dddddd\" title \"Pareto front of the steps\"\n";
 }
 
 std::string script(const Study& study) {
@@ -102,7 +107,7 @@ std::string script(const Study& study) {
       fastest = std::min(fastest, study.seconds(s)), slowest = std::max(slowest, study.seconds(s));
       best = std::min(best, s.judged()), worst = std::max(worst, s.judged());
     }
-  const std::vector<Score> front = pareto_front(study.scores);
+  const std::vector<Score> front = pareto_front(offered(study.scores));
   const StudyScene& mesh = study.meshes.front();
   std::string text = gnuplot_style;
   const std::string plot = series_and_front(study, front, text);
@@ -124,7 +129,7 @@ std::string script(const Study& study) {
 }  // namespace
 
 void draw_plot(const Study& study) {
-  if (study.can_judge() && !pareto_front(study.scores).empty())
+  if (study.can_judge() && !pareto_front(offered(study.scores)).empty())
     draw(study.out, "work_precision", script(study));
 }
 

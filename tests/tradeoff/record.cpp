@@ -1,6 +1,7 @@
 #include "tradeoff/record.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -47,6 +48,9 @@ Column word(const char* name, const Get& get) {
           [get](const std::string& text, Score& s) { get(s) = text; }};
 }
 
+// In the order of Scheme.
+constexpr std::array<std::string_view, 3> scheme_names = {"step", "xpbd", "vbd"};
+
 const std::vector<Column>& columns() {
   static const std::vector<Column> all = {
       whole(
@@ -73,6 +77,16 @@ const std::vector<Column>& columns() {
           "newton", [](auto& s) -> auto& { return s.trial.configuration.method.newton; }),
       real(
           "h", [](auto& s) -> auto& { return s.h; }),
+      {"scheme",
+       [](const Score& s) {
+         return std::string(scheme_names[size_t(s.trial.configuration.scheme)]);
+       },
+       [](const std::string& text, Score& s) {
+         const auto found = std::find(scheme_names.begin(), scheme_names.end(), text);
+         s.trial.configuration.scheme = Scheme(found - scheme_names.begin());
+       }},
+      whole(
+          "sweeps", [](auto& s) -> auto& { return s.trial.configuration.sweeps; }),
       whole(
           "steps", [](auto& s) -> auto& { return s.trial.steps; }),
       word(

@@ -64,6 +64,13 @@ void print_front(const Study& study) {
   }
 }
 
+// XPBD and VBD stand in the tables beside what the steps offer.
+void print_key() {
+  std::printf(
+      "\n  xpbd, vbd: with so many sweeps per step; they are in tests/ways, and no step's program "
+      "has them\n");
+}
+
 // For scenes whose positions cannot be compared: the longest and the shortest time step of each
 // kind of configuration that reached the end.
 void print_statistics(const Study& study) {
@@ -135,6 +142,7 @@ void print_tables(const Study& study) {
   } else {
     print_statistics(study);
   }
+  print_key();
   print_failures(study);
 }
 

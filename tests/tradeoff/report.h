@@ -1,5 +1,7 @@
 // The results of a study for a reader: tables, a picture, a sentence.
 #pragma once
+#include <functional>
+
 #include "tradeoff/front.h"
 #include "tradeoff/study.h"
 
@@ -17,10 +19,17 @@ void draw_plot(const Study&);
 // One sentence: which configuration to take, and where explicit steps replace implicit ones.
 std::string advice(const Study&);
 
+// The best of these trials in the sense of a question, --budget or --seconds.
+using Question = std::function<std::optional<Score>(const std::vector<Score>&)>;
+
+// The best trial of the steps' programs, with the command that repeats it. If XPBD or VBD does better, that
+// as well, without a command: there is none.
+std::string answer(const Study&, const Question&);
+
 // A path for a shell, relative to the working directory, in quotes if it needs them.
 std::string for_shell(const std::filesystem::path&);
 
-// The command that runs the trial, and the command that measures its error.
+// The command that runs the trial, which is one of a step, and the command that measures its error.
 std::string command_of(const Study&, const Score&);
 std::string scoring_command_of(const Study&, const Score&);
 

@@ -122,4 +122,12 @@ Score run_trial(const StudyScene& study, const Reference& reference, const Trial
   return score;
 }
 
+double error_of(const StudyScene& study, const Reference& reference, const Trial& trial) {
+  Score score;
+  Motion motion = move(study, trial, 1e300);
+  score.outcome = motion.outcome;
+  if (score.done()) judge(study, reference, motion.cloth, motion.state, score);
+  return score.is_answer() ? score.error : unknown;
+}
+
 }  // namespace tradeoff

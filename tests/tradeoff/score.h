@@ -52,6 +52,9 @@ class Baseline {
 // of the reference is set to the floor.
 Score run_trial(const StudyScene&, const Reference&, const Trial&, double patience, Baseline&);
 
+// The error of one run, without its time; NaN if it did not come to an answer.
+double error_of(const StudyScene&, const Reference&, const Trial&);
+
 // Compares a cloth at the end with the reference and fills in the errors. Updates
 // the angles in its hinges.
 void judge(const StudyScene&, const Reference&, Cloth&, const State&, Score&);

@@ -7,6 +7,7 @@
 #include "support/text.h"
 #include "text/text_file.h"
 #include "tradeoff/report.h"
+#include "tradeoff/small_steps.h"
 
 namespace {
 
@@ -16,6 +17,7 @@ struct Arguments {
   Plan plan;
   std::optional<double> budget, seconds;
   std::optional<std::filesystem::path> score;
+  bool small_steps = false;
 };
 
 std::string scenes_for_help() {
@@ -77,28 +79,27 @@ int score_run(const Arguments& arguments, Study& study) {
   return 0;
 }
 
-// Prints the answer to --budget or --seconds. Returns false if there is none.
-bool answer(const Study& study, const std::optional<Score>& best, const std::string& question) {
-  if (!best) {
-    std::printf("\n%s: none of the ways that were tried\n", question.c_str());
-    return false;
-  }
-  std::printf("\n%s: %s, h = %.3g s; error %.6e, %.3g s of stepping\n  %s && \\\n  %s\n",
-              question.c_str(), name_of(best->trial.configuration).c_str(), best->h, best->judged(),
-              study.seconds(*best), command_of(study, *best).c_str(),
-              scoring_command_of(study, *best).c_str());
-  return true;
+// One step of n iterations against n steps of one.
+int compare_small_steps(const Study& study) {
+  if (!study.can_judge()) return 1;
+  print_small_steps(study);
+  return 0;
 }
 
-// Answers --budget and --seconds. Returns false if one of them has no answer.
+// Answers --budget and --seconds. Returns false if the programs of the steps have no answer to one of them.
 bool answers(const Arguments& arguments, const Study& study) {
   bool all = true;
+  const auto ask = [&](const std::string& question, const Question& best) {
+    std::printf("\n%s: %s\n", question.c_str(), answer(study, best).c_str());
+    all = all && best(offered(study.scores));
+  };
   if (arguments.budget)
-    all &= answer(study, cheapest(study.scores, *arguments.budget),
-                  format("The cheapest way to an error of %g", *arguments.budget));
+    ask(format("The cheapest way to an error of %g", *arguments.budget),
+        [&](const auto& scores) { return cheapest(scores, *arguments.budget); });
   if (arguments.seconds)
-    all &= answer(study, most_accurate(study.scores, *arguments.seconds / study.baseline_seconds),
-                  format("The most accurate way within %g s", *arguments.seconds));
+    ask(format("The most accurate way within %g s", *arguments.seconds), [&](const auto& scores) {
+      return most_accurate(scores, *arguments.seconds / study.baseline_seconds);
+    });
   return all;
 }
 
@@ -111,6 +112,7 @@ int run(Arguments& arguments) {
   print_scene(study);
   if (arguments.score) return score_run(arguments, study);
   find_references(plan, study);
+  if (arguments.small_steps) return compare_small_steps(study);
   if ((arguments.budget || arguments.seconds) && !study.can_judge()) {
     std::printf(
         "so there is no answer to --budget or --seconds; without them, statistics are compared\n");
@@ -129,7 +131,8 @@ int main(int argc, char** argv) {
   Arguments arguments;
   Plan& plan = arguments.plan;
   plan.choice.scene = "drop";
-  CLI::App app("What accuracy costs: every way that the five steps offer, on one scene");
+  CLI::App app(
+      "What accuracy costs: every way that the five steps offer, with XPBD and VBD, on one scene");
   app.set_help_flag("--help", "list the options");
   app.footer(scenes_for_help());
   app.add_option("scene", plan.choice.scene, "a built-in scene or a scene.toml; drop if absent");
@@ -148,6 +151,8 @@ int main(int argc, char** argv) {
   app.add_option("--cells", plan.choice.cells, "along u")
       ->check(positive_integer)
       ->option_text("N");
+  app.add_flag("--small-steps", arguments.small_steps,
+               "compare one step of n iterations with n steps of one, and nothing else");
   app.add_option("--score", arguments.score, "judge this run of a step's program, and run nothing")
       ->check(CLI::ExistingDirectory)
       ->option_text("DIR");

@@ -6,6 +6,7 @@
 
 #include "text/text_file.h"
 #include "tradeoff/report.h"
+#include "tradeoff/small_steps.h"
 
 namespace tradeoff::tradeoff_test {
 
@@ -54,10 +55,37 @@ TEST_F(TradeOff, SeesTheOrdersOfItsMethods) {
     EXPECT_NEAR(order(study, {study.meshes[0].steps.front()}, 800), 1, 0.1) << name;
     EXPECT_NEAR(order(study, implicit, 800), 1, 0.1) << name;
     EXPECT_NEAR(order(study, {3}, 800), 1, 0.1) << name;
+    EXPECT_NEAR(order(study, xpbd_of(4), 800), 1, 0.1) << name;
+    EXPECT_NEAR(order(study, vbd_of(4), 800), 1, 0.1) << name;
   }
   const Study flap = study_of({"F"});
   EXPECT_EQ(flap.meshes[0].steps, std::vector{5}) << "only step 5 bends";
-  EXPECT_NEAR(order(flap, {5, {.tolerance = 1e-8}}, 800), 1, 0.1);
+  for (const Configuration& way : {Configuration{5, {.tolerance = 1e-8}}, xpbd_of(4), vbd_of(4)})
+    EXPECT_NEAR(order(flap, way, 800), 1, 0.1);
+}
+
+// Where the iterations of a step have converged, four times as many steps have a quarter of its error.
+TEST_F(TradeOff, SeesThatSmallStepsAreMoreAccurateForTheSameWork) {
+  const Study study = study_of({"curtain"});
+  for (const Iterated& method : iterated_methods()) {
+    const auto [sixteen, four, one] = small_step_errors(study, 0, method, 2048);
+    EXPECT_NEAR(sixteen / four, 4, 0.2) << method.name;
+    EXPECT_NEAR(four / one, 4, 0.6) << method.name;
+  }
+}
+
+// On a stiffer cloth one sweep of VBD is too few: even with h = h_crit/7 it is farther from the truth than
+// four sweeps in steps that are four times as long. XPBD and Newton's method do not mind.
+TEST_F(TradeOff, SeesThatOneSweepOfVbdIsTooFewForAStiffCloth) {
+  const Study study = study_of({"curtain", 1e4});
+  for (const Iterated& method : iterated_methods()) {
+    const auto [sixteen, four, one] = small_step_errors(study, 0, method, 4096);
+    if (method.name == std::string("VBD"))
+      EXPECT_GT(one, 2 * four);
+    else
+      EXPECT_NEAR(four / one, 4, 0.2) << method.name;
+    EXPECT_GT(sixteen, 3 * four) << method.name;
+  }
 }
 
 // The numbers come from an independent program, which takes a Runge-Kutta method of
@@ -264,6 +292,46 @@ TEST_F(TradeOff, AnswersWhatIsCheapestAndWhatIsMostAccurate) {
   EXPECT_EQ(crossover(pareto_front(scores))->second.error, 1e-3);
 }
 
+// XPBD and VBD stand beside the steps: on the front, but in no answer that a program should repeat.
+TEST_F(TradeOff, OffersOnlyWhatAProgramOfAStepHas) {
+  Study study;
+  study.meshes.push_back(make_study_scene({"curtain"}, directory));
+  study.h_crit = {5e-3};
+  study.references.resize(1);
+  study.references[0].self_check = 1e-9;
+  study.baseline_seconds = 1;
+  study.out = directory;
+  study.scores = {invented(1e-1, 1, 3), invented(1e-3, 4, 1), invented(1e-2, 2, 1)};
+  study.scores[2].trial.configuration = xpbd_of(4);
+  EXPECT_EQ(offered(study.scores).size(), 2u);
+  EXPECT_EQ(pareto_front(study.scores).size(), 3u);
+  for (Score& s : study.scores) s.cells = 6;
+
+  const auto answer_to = [&](double error) {
+    return answer(study, [&](const auto& scores) { return cheapest(scores, error); });
+  };
+  EXPECT_EQ(answer_to(0.5).find("xpbd"), std::string::npos) << "step 3 is the cheapest of all";
+  const std::string said = answer_to(0.05);
+  EXPECT_EQ(said.rfind("step01, ", 0), 0u) << said;
+  EXPECT_NE(said.find("step01_explicit/step01_explicit"), std::string::npos) << said;
+  EXPECT_NE(said.find("in no step's program: xpbd 4, "), std::string::npos) << said;
+  EXPECT_EQ(answer_to(1e-4), "none of the ways that were tried");
+  study.scores = {study.scores[2]};
+  EXPECT_EQ(answer_to(0.05).rfind("none of the ways that were tried\n  Better", 0), 0u);
+  EXPECT_EQ(advice(study), "No way that was tried came to a useful end; take smaller steps.");
+}
+
+TEST_F(TradeOff, NamesXpbdAndVbdByTheirSweeps) {
+  EXPECT_EQ(name_of(xpbd_of(4)), "xpbd 4");
+  EXPECT_EQ(name_of(vbd_of(16)), "vbd 16");
+  EXPECT_EQ(kind_of(vbd_of(16)), "vbd");
+  EXPECT_EQ(options_of(xpbd_of(4)), "");
+  const std::vector<Configuration> few = configurations_of({1}, true);
+  ASSERT_EQ(few.size(), 5u);
+  EXPECT_EQ(name_of(few[1]) + name_of(few.back()), "xpbd 1vbd 4");
+  EXPECT_EQ(step_counts(xpbd_of(4), 0.3, 5e-3), step_counts(implicit, 0.3, 5e-3));
+}
+
 // The stiffer the drop, the earlier it crumples.
 TEST_F(TradeOff, RefusesToJudgeWhatItsReferenceCannotTell) {
   Study study;
@@ -284,15 +352,20 @@ TEST_F(TradeOff, GoesOnWhereItWasInterrupted) {
   score.trial = {{4, {.newton = 20, .preconditioner = "ic", .tolerance = 1e-2}}, 64};
   score.cells = 6;
   score.counts.bytes = 123456789012;
+  Score swept = score;
+  swept.trial = {vbd_of(16), 64};
   {
     Record record(file, "one");
     EXPECT_EQ(record.found(), 0u);
     record.add(score, 0.01);
+    record.add(swept, 0.01);
   }
   { Record(file, "another").add(invented(1, 1), 1); }
   std::ofstream(file, std::ios::app) << "one,step01,6,1";  // an incomplete row
   const Record again(file, "one");
-  EXPECT_EQ(again.found(), 1u);
+  EXPECT_EQ(again.found(), 2u);
+  EXPECT_TRUE(again.find(6, swept.trial));
+  EXPECT_FALSE(again.find(6, {vbd_of(4), 64}));
   const Score* found = again.find(6, score.trial);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->error, 1.25e-3);

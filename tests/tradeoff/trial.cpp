@@ -17,7 +17,13 @@ std::string power_of_ten(double value) {
   return text;
 }
 
+// XPBD and VBD have sweeps where conjugate gradients have a tolerance.
+const char* local_name(const Configuration& configuration) {
+  return configuration.scheme == Scheme::xpbd ? "xpbd" : "vbd";
+}
+
 std::string describe(const Configuration& configuration, const std::string& tolerance) {
+  if (!is_of_step(configuration)) return local_name(configuration) + tolerance;
   std::string name = std::string(program_of(configuration.step)).substr(0, 6);
   const Method& m = configuration.method;
   if (configuration.step == 3) name += " " + m.solver;
@@ -65,6 +71,8 @@ std::vector<Configuration> implicit_configurations(int step, bool few) {
 }  // namespace
 
 std::string name_of(const Configuration& configuration) {
+  if (!is_of_step(configuration))
+    return describe(configuration, " " + std::to_string(configuration.sweeps));
   return describe(configuration,
                   configuration.step > 3 ? " " + power_of_ten(configuration.method.tolerance) : "");
 }
@@ -74,6 +82,7 @@ std::string kind_of(const Configuration& configuration) {
 }
 
 std::string options_of(const Configuration& configuration) {
+  if (!is_of_step(configuration)) return {};
   std::string options;
   const Method& m = configuration.method;
   if (configuration.step == 3 && m.solver != defaults.solver) options += " --solver " + m.solver;
@@ -94,12 +103,15 @@ std::vector<Configuration> configurations_of(const std::vector<int>& steps, bool
         step < 3 ? std::vector<Configuration>{{step}} : implicit_configurations(step, few);
     configurations.insert(configurations.end(), more.begin(), more.end());
   }
+  const std::vector<int> sweeps = few ? std::vector{1, 4} : std::vector{1, 4, 16, 64};
+  for (int n : sweeps) configurations.push_back(xpbd_of(n));
+  for (int n : sweeps) configurations.push_back(vbd_of(n));
   return configurations;
 }
 
 std::vector<long> step_counts(const Configuration& configuration, double end, double h_crit) {
   std::vector<long> counts;
-  if (configuration.step < 3)
+  if (is_explicit(configuration))
     for (double part : {2.0, 0.95, 0.5, 0.25, 0.125, 0.0625, 0.03125})
       counts.push_back(std::max(1L, std::lround(std::ceil(end / (part * h_crit)))));
   else

@@ -1,5 +1,5 @@
-// The five steps and their methods behind one interface, for programs that compare them, and two ways beside
-// them. The time_step.h of each step does the work, or xpbd.h, or vbd.h; it is compiled once, in simulator.cpp.
+// The five steps and their methods behind one interface, for programs that compare them, and two ways
+// beside them. The time_step.h of each step, xpbd.h and vbd.h do the work, compiled once, in simulator.cpp.
 #pragma once
 #include <memory>
 
@@ -41,8 +41,8 @@ inline const char* program_of(int step) {
 
 // The cost of a simulation so far, in counts that are the same on every machine.
 struct Counts {
-  // Evaluations of all forces; in steps 3 to 5 their derivatives come with them. XPBD and VBD evaluate element
-  // by element: so many evaluations, divided by the number of elements.
+  // Evaluations of all forces; in steps 3 to 5 their derivatives come with them. XPBD and VBD evaluate
+  // element by element: so many evaluations, divided by the number of elements.
   long forces = 0;
   // Evaluations of the potential energy, by the guard and Newton's line search; of VBD as above.
   long energies = 0;

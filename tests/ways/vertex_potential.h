@@ -33,8 +33,8 @@ struct VertexPotential {
     });
   }
 
-  // Hands every condition of Φ on an element to act(term, condition). Damping is a condition as well: with the
-  // stiffness kd/h, on how far the element has moved along the ∂C/∂y of x0. It is linear in y.
+  // Hands every condition of Φ on an element to act(term, condition). Damping is a condition as well, linear
+  // in y: with the stiffness kd/h, on how far the element has moved along the ∂C/∂y of x0.
   template <class Family, class Element, class Act>
   void conditions(const Family& family, const Element& element, const VecX& x,
                   const Act& act) const {

@@ -1,6 +1,8 @@
 // XPBD against backward Euler: the same step where ∂C/∂x is constant, and a near one elsewhere.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "support/momenta.h"
 #include "ways/local_scenes.h"
 
@@ -46,14 +48,17 @@ TEST(Xpbd, IsBackwardEulerWhereGradientsAreConstant) {
   EXPECT_LT(error(500), 1e-12);
 }
 
-// Where ∂C/∂x turns, no number of sweeps comes nearer than a fraction of a millimetre, here over 25 vertices.
+// Where ∂C/∂x turns, no number of sweeps comes nearer than this.
 TEST(Xpbd, EndsNearBackwardEulerElsewhere) {
   const TestScene scene = disturbed_sheet(threads(), Held::by_two_corners);
   const double h = 0.02;
   const State end = after(scene, xpbd_of(500), h), more = after(scene, xpbd_of(1000), h);
   EXPECT_LT((end.x - more.x).norm(), 1e-14);
-  EXPECT_NEAR(residual(scene, h, end), 2.8e-3, 1e-3);
-  EXPECT_NEAR((end.x - after(scene, newton, h).x).norm(), 6e-4, 2e-4);
+  const double apart = (end.x - after(scene, newton, h).x).norm();
+  std::printf("  XPBD with 500 sweeps: residual %.2e m, %.2e m from backward Euler\n",
+              residual(scene, h, end), apart);
+  EXPECT_NEAR(residual(scene, h, end), 2.75e-3, 1e-4);
+  EXPECT_NEAR(apart, 5.8e-4, 2e-5);
   EXPECT_LT(residual(scene, h, after(scene, newton, h)), 1e-10);
 }
 
@@ -63,7 +68,9 @@ TEST(Xpbd, DiffersFromBackwardEulerByHToTheFourth) {
   const auto distance = [&](double h) {
     return (after(scene, xpbd_of(200), h).x - after(scene, vbd_of(200), h).x).norm();
   };
-  EXPECT_NEAR(std::log2(distance(2.5e-4) / distance(1.25e-4)), 4, 0.1);
+  const double order = std::log2(distance(2.5e-4) / distance(1.25e-4));
+  std::printf("  order %.3f\n", order);
+  EXPECT_NEAR(order, 4, 0.1);
 }
 
 // Every Δλ moves all vertices of a condition, and ∂C/∂x adds up to zero over them.
