@@ -1,6 +1,7 @@
 // What XPBD and VBD share: forces, pins, refusals, counts.
 #include <gtest/gtest.h>
 
+#include "support/extreme_scenes.h"
 #include "ways/local_scenes.h"
 
 namespace ways_test {
@@ -46,6 +47,12 @@ TEST(Sweeps, FollowTheirPins) {
     EXPECT_GT(std::abs(slid.x()), 1e-4);
     EXPECT_EQ(slid.tail<2>(), Vec2::Zero());
   }
+}
+
+TEST(Sweeps, StayFiniteInATangle) {
+  for (const Configuration& way : both)
+    for (const double k : {10.0, 1e5})
+      EXPECT_TRUE(after(extremes::tangled(k), way, 0.02, 10).x.allFinite()) << k;
 }
 
 TEST(Sweeps, RefuseNone) {
