@@ -5,6 +5,7 @@
 
 #include "math/cloth.h"
 #include "math/tension.h"
+#include "support/both_halves.h"
 
 using Sparse = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -17,16 +18,6 @@ double weight(const Element<N, Y>& e, int m, int i) {
 inline double weight(const Hinge&, int m, int i) {
   return m == i;
 }
-
-// What the definite matrix keeps, with both halves.
-template <int Y>
-struct Kept {
-  void add(int m, int n, const Mat3& B) {
-    K[size_t(m)][size_t(n)] += B;
-    if (m != n) K[size_t(n)][size_t(m)] += B.transpose();
-  }
-  Mats<Y> K = zero_matrices<Y>();
-};
 
 // Adds the forces of a family to f, and calls add(i, j, K_ij, D_ij) for every block (i, j) of K and
 // D, by the formulas of the notes.
@@ -54,14 +45,14 @@ void family_blocks(const Family& family, const State& state, VecX& f, const Add&
         }
       }
     });
-    Kept<Family::Y> kept;
+    BothHalves<Family::Y> kept;
     tension.subtract_from(kept, e, y);
     for (int i = 0; i < N; ++i)
       for (int j = 0; j < N; ++j) {
         Mat3 K_ij = Mat3::Zero();
         for (int m = 0; m < Family::Y; ++m)
           for (int n = 0; n < Family::Y; ++n)
-            K_ij += weight(e, m, i) * weight(e, n, j) * kept.K[size_t(m)][size_t(n)];
+            K_ij += weight(e, m, i) * weight(e, n, j) * kept.blocks[size_t(m)][size_t(n)];
         add(e.vertices[size_t(i)], e.vertices[size_t(j)], K_ij, Mat3(Mat3::Zero()));
       }
   }

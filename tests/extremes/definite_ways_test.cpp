@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/hinges.h"
+#include "support/both_halves.h"
 #include "support/decompositions.h"
 #include "support/extreme_scenes.h"
 #include "ways/simulator.h"
@@ -15,15 +16,15 @@ namespace extremes::definite_ways_test {
 MatX matrix(Filter which, const Triangles& family, const Triangle& t, const Vecs<2>& w) {
   filter = which;
   FilteredTension<2> kept;
-  Mats<2> K = zero_matrices<2>();
+  BothHalves<2> K;
   family.conditions(t, w, [&](const Term& term, const auto& c) {
     kept.add(term.k * c.C, c);
     for (int m = 0; m < c.M; ++m)
-      for (int n = 0; n < c.M; ++n)
-        K[c.first + m][c.first + n] -= term.k * c.dCdy[m] * c.dCdy[n].transpose();
+      for (int n = m; n < c.M; ++n)
+        K.add(c.first + m, c.first + n, -term.k * c.dCdy[m] * c.dCdy[n].transpose());
   });
   kept.subtract_from(K, t, w);
-  return -from_blocks<2>(K);
+  return -from_blocks<2>(K.blocks);
 }
 
 // Threads with shear, or a membrane.

@@ -36,6 +36,15 @@ Square<3 * M> from_blocks(const Mats<M>& blocks) {
   return all;
 }
 
+// The same of a symmetric matrix, from its blocks m ≤ n.
+template <int M>
+Square<3 * M> from_upper(const Mats<M>& blocks) {
+  Mats<M> both = blocks;
+  for (int m = 0; m < M; ++m)
+    for (int n = 0; n < m; ++n) both[m][n] = blocks[n][m].transpose();
+  return from_blocks<M>(both);
+}
+
 template <int M>
 Mats<M> to_blocks(const Square<3 * M>& all) {
   Mats<M> blocks;
@@ -69,14 +78,14 @@ class FilteredTension {
   }
 
   // K is −G, and becomes −(G + R).
-  template <class Element>
-  void subtract_from(Mats<Y>& K, const Element& element, const Vecs<Y>& y) const {
+  template <class Matrix, class Element>
+  void subtract_from(Matrix& K, const Element& element, const Vecs<Y>& y) const {
     if (filter == Filter::tension)
       tension.subtract_from(K, element, y);
     else if (filter == Filter::full)
       subtract(S, K);
     else if constexpr (requires { across(element, y); })
-      subtract(to_blocks<Y>(R(-from_blocks<Y>(K), from_blocks<Y>(S))), K);
+      subtract(to_blocks<Y>(R(-from_upper<Y>(K.on_y()), from_blocks<Y>(S))), K);
   }
 
  private:
@@ -105,9 +114,10 @@ class FilteredTension {
     }
   }
 
-  static void subtract(const Mats<Y>& R, Mats<Y>& K) {
+  template <class Matrix>
+  static void subtract(const Mats<Y>& R, Matrix& K) {
     for (int m = 0; m < Y; ++m)
-      for (int n = 0; n < Y; ++n) K[m][n] -= R[m][n];
+      for (int n = m; n < Y; ++n) K.add(m, n, -R[m][n]);
   }
 
   Tension<Y> tension;

@@ -12,6 +12,7 @@
 // Damping adds Σ kd/(2h) (∂C/∂y (y − y0))² to Φ, with ∂C/∂y as at x0: the −h/2 vᵀ D v of steps 3 to 5.
 #pragma once
 #include "math/tension.h"
+#include "support/both_halves.h"
 #include "ways/vertex_potential.h"
 
 namespace vbd {
@@ -37,11 +38,11 @@ inline Vec3 newton(const Cloth& cloth, const VecX& x, int i, System& system) {
       A += term.k * dCdx * dCdx.transpose();
       T.add(term.k * c.C, c);
     });
-    Mats<F::Y> K = zero_matrices<F::Y>();
+    BothHalves<F::Y> K;
     T.subtract_from(K, element, gather(element, x));
     for (int m = 0; m < F::Y; ++m)
       for (int n = 0; n < F::Y; ++n)
-        A -= weight(element, m, corner) * weight(element, n, corner) * K[m][n];
+        A -= weight(element, m, corner) * weight(element, n, corner) * K.blocks[m][n];
   };
   system.for_each_corner(cloth, i, add);
   const Mat3 &S = system.S[i], held = Mat3::Identity() - S;
