@@ -53,7 +53,8 @@ TEST(Locking, EdgesLeaveAsManyWaysToMoveAsTheBoundaryHasVerticesAndThreeMore) {
       const auto [nx, ny] = known.vertices;
       const Mesh mesh = make_grid({1, 1}, {nx - 1, ny - 1}, diagonals);
       const std::vector<Edge> all = edges(mesh);
-      const int V = mesh.vertices(), E = int(all.size()), B = int(find_edges(mesh.faces).boundary.size());
+      const int V = mesh.vertices(), E = int(all.size()),
+                B = int(find_edges(mesh.faces).boundary.size());
       SCOPED_TRACE(std::to_string(nx) + " x " + std::to_string(ny));
       EXPECT_EQ(E, known.edges);
       EXPECT_EQ(E, 3 * V - 3 - B);
