@@ -78,6 +78,12 @@ function(cloth_target target)
   endif()
 endfunction()
 
+# g++ limits how much a file may grow by inlining. The forces of a step, with the conditions of every term, are
+# beyond that limit: with it, the assembly of steps 3 and 4 takes a third longer.
+function(inline_as_a_step target)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=inline-unit-growth=400>)
+endfunction()
+
 # Defines NAME for the compiler as a string that holds a path. It is a raw string,
 # because a path may have quotes.
 function(define_path target name path)
@@ -91,6 +97,7 @@ function(add_step step)
   endif()
   add_executable(${step} ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
   cloth_target(${step})
+  inline_as_a_step(${step})
   set_target_properties(${step} PROPERTIES UNITY_BUILD OFF)
   target_link_libraries(${step} PRIVATE cloth_explain)
   define_path(${step} STEP_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
