@@ -16,14 +16,14 @@ Neighbours neighbours_in(const BlockMatrix& pattern) {
   return of;
 }
 
-constexpr int none = -1;
+constexpr int in_none = -1;
 
 // Every vertex that no aggregate touches begins one with all its neighbours.
 std::vector<int> disjoint_stars(const Neighbours& neighbours) {
-  std::vector<int> aggregate(neighbours.size(), none);
+  std::vector<int> aggregate(neighbours.size(), in_none);
   int count = 0;
   for (size_t i = 0; i < neighbours.size(); ++i) {
-    const auto is_open = [&](int j) { return aggregate[j] == none; };
+    const auto is_open = [&](int j) { return aggregate[j] == in_none; };
     const bool alone = neighbours[i].empty();
     if (alone || !is_open(int(i)) || !std::ranges::all_of(neighbours[i], is_open)) continue;
     aggregate[i] = count;
@@ -38,7 +38,7 @@ std::vector<std::array<int, 2>> shares(const std::vector<int>& vertices,
                                        const std::vector<int>& aggregate) {
   std::vector<int> numbers;
   for (const int i : vertices)
-    if (aggregate[i] != none) numbers.push_back(aggregate[i]);
+    if (aggregate[i] != in_none) numbers.push_back(aggregate[i]);
   std::ranges::sort(numbers);
   std::vector<std::array<int, 2>> result;
   for (const int number : numbers) {
@@ -53,7 +53,7 @@ std::vector<int> aggregates(const Neighbours& neighbours) {
   const std::vector<int> stars = disjoint_stars(neighbours);
   std::vector<int> all = stars;
   for (size_t i = 0; i < stars.size(); ++i) {
-    if (stars[i] != none || neighbours[i].empty()) continue;
+    if (stars[i] != in_none || neighbours[i].empty()) continue;
     all[i] = std::ranges::max(shares(neighbours[i], stars), {},
                               [](const auto& share) { return share[1]; })[0];
   }
