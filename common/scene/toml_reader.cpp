@@ -12,11 +12,11 @@
 namespace {
 
 // So products of several numbers of a scene stay far from the end of double, 1e308.
-constexpr double largest = 1e30;
+constexpr double largest_number = 1e30;
 
 bool is_in(double value, Range range) {
-  return std::abs(value) <= largest &&
-         (value == 0 || range != Range::positive || value >= 1 / largest) &&
+  return std::abs(value) <= largest_number &&
+         (value == 0 || range != Range::positive || value >= 1 / largest_number) &&
          (range != Range::positive || value > 0) && (range != Range::not_negative || value >= 0);
 }
 
