@@ -27,7 +27,7 @@ inline Axes axes_of(const Vecs<2>& w) {
     const Vec3 u = w[0].norm() > 0 ? Vec3(w[0].normalized()) : Vec3::UnitX();
     return {u, u.unitOrthogonal()};
   }
-  const double s = std::sqrt(m.A + m.D + 2 * m.J);
+  const double s = m.trace_of_stretch();
   return {(w[0] * (m.D + m.J) - m.B * w[1]) / (s * m.J),
           (w[1] * (m.A + m.J) - m.B * w[0]) / (s * m.J)};
 }

@@ -61,7 +61,11 @@ template <class Number>
 struct Metric {
   Number A, B, D, J;
 
-  Number trace_of_stretch() const { return sqrt(A + D + 2 * J); }  // s, the trace of S = √(FᵀF)
+  // s, the trace of S = √(FᵀF)
+  Number trace_of_stretch() const {
+    using std::sqrt;
+    return sqrt(A + D + 2 * J);
+  }
 };
 
 inline Metric<double> metric(const Vecs<2>& w) {

@@ -169,8 +169,8 @@ void print_extremes() {
 
 // Pictures ---------------------------------------------------------------------------------------
 
-// A square metre of 24 × 24 cells that falls and swings, after 0.42 s. The linear one has left the picture
-// by then: it has no force across its plane.
+// A square metre of 24 × 24 cells that falls and swings, after 0.42 s. The linear one has no force across
+// its plane, and falls as a stone does.
 void draw_models(const fs::path& directory) {
   constexpr int n = 24, width = 640, height = 360;
   const Mesh mesh = make_grid({1, 1}, {n, n}, Diagonals::alternating);
