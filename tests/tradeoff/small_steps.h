@@ -19,7 +19,8 @@ inline constexpr std::array<int, 3> iterations_per_step = {16, 4, 1};
 // The errors at the end after `total` iterations, in steps of 16, 4 and 1 of them. NaN: no answer.
 std::array<double, 3> small_step_errors(const Study&, size_t mesh, const Iterated&, long total);
 
-// The table of a scene, for every mesh.
-void print_small_steps(const Study&);
+// The table of a scene, for every mesh, and a picture of the first one: small_steps.png in the directory of
+// the study.
+void compare_small_steps(const Study&);
 
 }  // namespace tradeoff

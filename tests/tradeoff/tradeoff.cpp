@@ -79,13 +79,6 @@ int score_run(const Arguments& arguments, Study& study) {
   return 0;
 }
 
-// One step of n iterations against n steps of one.
-int compare_small_steps(const Study& study) {
-  if (!study.can_judge()) return 1;
-  print_small_steps(study);
-  return 0;
-}
-
 // Answers --budget and --seconds. Returns false if the programs of the steps have no answer to one of them.
 bool answers(const Arguments& arguments, const Study& study) {
   bool all = true;
@@ -112,7 +105,8 @@ int run(Arguments& arguments) {
   print_scene(study);
   if (arguments.score) return score_run(arguments, study);
   find_references(plan, study);
-  if (arguments.small_steps) return compare_small_steps(study);
+  if (arguments.small_steps && study.can_judge()) compare_small_steps(study);
+  if (arguments.small_steps) return study.can_judge() ? 0 : 1;
   if ((arguments.budget || arguments.seconds) && !study.can_judge()) {
     std::printf(
         "so there is no answer to --budget or --seconds; without them, statistics are compared\n");
