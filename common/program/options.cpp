@@ -112,7 +112,12 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
       ->option_text("N");
   app.add_option("--without", options.overrides.without,
                  "leave out a table of the scene; can be repeated")
+      ->allow_extra_args(false)
       ->option_text("TABLE");
+  app.add_option("--set", options.overrides.set,
+                 "set a value of the scene, such as stretch.k=1e4; can be repeated")
+      ->allow_extra_args(false)
+      ->option_text("TABLE.KEY=VALUE");
   app.add_flag(
       "--explain", options.explain,
       "print what the scene contains, what a step costs, what sets h and what could be left "

@@ -8,4 +8,5 @@ struct Overrides {
   std::optional<double> h = {}, end = {};
   std::optional<int> frames = {}, cells = {};  // cells along u; along v in proportion
   std::vector<std::string> without = {};       // tables to leave out; a term with its damping
+  std::vector<std::string> set = {};           // TABLE.KEY=VALUE; makes a table that is absent
 };

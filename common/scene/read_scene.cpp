@@ -39,8 +39,8 @@ Model read_model(const SceneFile& scene) {
   return model;
 }
 
-// With --end, a still that would come after the end moves to the end.
-Camera read_camera(const SceneFile& scene, double end, bool end_is_given) {
+// If the command line sets the end, a still that would come after it moves to the end.
+Camera read_camera(const SceneFile& scene, double end) {
   Camera camera;
   if (!scene.has("camera")) return camera;
   const TomlTable table = scene.table("camera");
@@ -51,7 +51,8 @@ Camera read_camera(const SceneFile& scene, double end, bool end_is_given) {
     table.refuse("eye", "it must be another point than target");
   if (!table.has("still")) return camera;
   const double still = table.number("still", Range::not_negative);
-  if (still > end && !end_is_given) table.refuse("still", "it must be from 0 to the end of [time]");
+  if (still > end && !scene.table("time").is_given("end"))
+    table.refuse("still", "it must be from 0 to the end of [time]");
   camera.still = std::min(still, end);
   return camera;
 }
@@ -71,7 +72,7 @@ Scene read_scene(const std::filesystem::path& path, const std::string& program,
   scene.file = path;
   scene.effective = file.effective();
   scene.time = read_time(file);
-  scene.camera = read_camera(file, scene.time.end, overrides.end.has_value());
+  scene.camera = read_camera(file, scene.time.end);
   Model model = read_model(file);
   Geometry geometry = read_geometry(file);
   model.pins = std::move(geometry.pins);

@@ -1,6 +1,8 @@
 #include "scene/scene_file.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <limits>
 
 #include "scene/step_names.h"
@@ -64,6 +66,54 @@ Names optional_tables() {
   return names;
 }
 
+[[noreturn]] void refuse_setting(const std::filesystem::path& file, const std::string& setting,
+                                 const std::string& reason) {
+  throw BadInput(file.string() + ": --set " + one_line(setting) + ": " + reason);
+}
+
+// The table and the key of TABLE.KEY=VALUE.
+std::array<std::string, 2> place_of(const std::filesystem::path& file, const std::string& setting) {
+  const size_t dot = setting.find('.'), equals = setting.find('=');
+  if (dot == 0 || equals == setting.npos || !(dot < equals - 1))
+    refuse_setting(file, setting, "it must be TABLE.KEY=VALUE, such as stretch.k=1e4");
+  return {setting.substr(0, dot), setting.substr(dot + 1, equals - dot - 1)};
+}
+
+// A table with nothing but the value of TABLE.KEY=VALUE. It is written as in the file, but a word needs no
+// quotes.
+toml::table value_of(const std::filesystem::path& file, const std::string& setting) {
+  const std::string value = setting.substr(setting.find('=') + 1);
+  const bool is_word = !value.empty() && std::ranges::all_of(value, [](unsigned char c) {
+    return std::isalpha(c) || std::strchr("-_./", c) != nullptr;
+  });
+  const bool is_bool = value == "true" || value == "false";
+  try {
+    toml::table parsed =
+        toml::parse("value = " + (is_word && !is_bool ? '"' + value + '"' : value));
+    if (parsed.size() == 1) return parsed;
+  } catch (const toml::parse_error&) {
+  }
+  refuse_setting(file, setting,
+                 "the value must be written as in the scene: a number, \"text\" or a list");
+}
+
+// No key may be set twice, be it by --set or by --h, --end, --frames or --cells.
+void check_each_once(const std::filesystem::path& file, const Overrides& overrides) {
+  Names given;
+  if (overrides.h) given.push_back("time.h");
+  if (overrides.end) given.push_back("time.end");
+  if (overrides.frames) given.push_back("time.frames");
+  if (overrides.cells) given.push_back("cloth.cells");
+  for (const std::string& setting : overrides.set) {
+    const auto [table, key] = place_of(file, setting);
+    if (std::ranges::count(given, table + "." + key) > 0)
+      refuse_setting(file, setting, "the command line sets " + key + " of [" + table + "] twice");
+    if (std::ranges::count(overrides.without, table) > 0)
+      refuse_setting(file, setting, "the command line leaves out [" + table + "], too");
+    given.push_back(table + "." + key);
+  }
+}
+
 }  // namespace
 
 SceneFile::SceneFile(const std::filesystem::path& path, const std::string& program,
@@ -71,8 +121,8 @@ SceneFile::SceneFile(const std::filesystem::path& path, const std::string& progr
     : file(path), step(step_number(program)), tables(read_toml(path)) {
   tables.erase("run");  // see options_of_run
   take_out(overrides.without);
-  check_tables(program);
   apply(overrides);
+  check_tables(program);
 }
 
 std::string SceneFile::effective() const {
@@ -144,8 +194,8 @@ void SceneFile::check_step(const std::string& program, const std::string& name,
   const int first = find_table(name)->step;
   if (first > step)
     throw BadInput(location(file, value) + program + " does not model [" + name + "]; " +
-                   step_names()[first - 1] + " does. --without " + name +
-                   " runs the scene without it");
+                   step_names()[first - 1] + " does" +
+                   (is_given(value) ? "" : ". --without " + name + " runs the scene without it"));
 }
 
 // A pin that is a table belongs to the filter of conjugate gradients.
@@ -162,12 +212,26 @@ void SceneFile::check_pins(const std::string& program) const {
 
 // The values of the command line replace those of the file and are checked like them.
 void SceneFile::apply(const Overrides& overrides) {
+  check_each_once(file, overrides);
+  for (const std::string& setting : overrides.set) set(setting);
   if (toml::table* time = tables["time"].as_table()) {
     if (overrides.h) time->insert_or_assign("h", *overrides.h);
     if (overrides.end) time->insert_or_assign("end", *overrides.end);
     if (overrides.frames) time->insert_or_assign("frames", *overrides.frames);
   }
   if (overrides.cells) apply_cells(*overrides.cells);
+}
+
+// --set TABLE.KEY=VALUE. The value is copied, because a copy has no line in a file.
+void SceneFile::set(const std::string& setting) {
+  const auto [table, key] = place_of(file, setting);
+  if (!find_table(table))
+    refuse_setting(file, setting,
+                   "there is no table [" + table + "]; " + valid_names(table, tables_of(step)));
+  if (!tables.contains(table)) tables.insert(table, toml::table());
+  const toml::table value = value_of(file, setting);
+  if (toml::table* target = tables[table].as_table())
+    value.begin()->second.visit([&, k = key](const auto& v) { target->insert_or_assign(k, v); });
 }
 
 // With other cells a vertex number means another place, or none.

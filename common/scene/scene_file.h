@@ -25,6 +25,7 @@ class SceneFile {
   void check_step(const std::string& program, const std::string& name, const toml::node&) const;
   void check_pins(const std::string& program) const;
   void apply(const Overrides&);
+  void set(const std::string& setting);
   void apply_cells(int cells);
   void check_numbered_pins(int cells) const;
 

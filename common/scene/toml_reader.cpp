@@ -54,6 +54,10 @@ std::string shown(const toml::node& node) {
   return all.size() <= 60 ? all : all.substr(0, 57) + "...";
 }
 
+std::string origin(const toml::node& value) {
+  return is_given(value) ? " from the command line" : "";
+}
+
 std::string up_to(int most) {
   return "from 1 to " + std::to_string(most);
 }
@@ -80,6 +84,10 @@ std::string as_toml(const toml::node& node) {
   return out.str();
 }
 
+bool is_given(const toml::node& node) {
+  return node.source().begin.line == 0;
+}
+
 toml::table read_toml(const std::filesystem::path& file) {
   const std::string text = read_text(file);
   try {
@@ -97,11 +105,16 @@ std::string location(const std::filesystem::path& file, const toml::node& node) 
   return at + " ";
 }
 
+bool TomlTable::is_given(std::string_view key) const {
+  return has(key) && ::is_given(*table_.get(key));
+}
+
 void TomlTable::allow_only(const Names& keys) const {
   for (const auto& [key, value] : table_)
     if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
       throw BadInput(location(file_, value) + title_ + " has no key " + std::string(key.str()) +
-                     "; " + valid_names(key.str(), keys));
+                     (::is_given(value) ? ", which --set names" : "") + "; " +
+                     valid_names(key.str(), keys));
 }
 
 const toml::node& TomlTable::need(std::string_view key, const std::string& what) const {
@@ -115,9 +128,8 @@ void TomlTable::refuse(std::string_view key, const std::string& must) const {
 
 void TomlTable::refuse(std::string_view key, const toml::node& value,
                        const std::string& must) const {
-  const bool from_file = value.source().begin.line;
   throw BadInput(location(file_, value) + title_ + " " + std::string(key) + " = " + shown(value) +
-                 (from_file ? "" : " from the command line") + " is not valid: " + must);
+                 origin(value) + " is not valid: " + must);
 }
 
 void TomlTable::refuse_table(const std::string& must) const {

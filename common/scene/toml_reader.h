@@ -24,6 +24,7 @@ class TomlTable {
   }
 
   bool has(std::string_view key) const { return table_.contains(key); }
+  bool is_given(std::string_view key) const;  // by the command line
   void allow_only(const Names& keys) const;
 
   // Each refuses a table without the key. A whole number will do for a number; nan and inf will
@@ -53,6 +54,9 @@ class TomlTable {
 
 // A value in TOML: numbers as short as they can be, 2.0 with its point, lists and tables on one line.
 std::string as_toml(const toml::node&);
+
+// A value of the command line has no line in the file.
+bool is_given(const toml::node&);
 
 // The parsed file; refused where it is missing or no TOML.
 toml::table read_toml(const std::filesystem::path& file);

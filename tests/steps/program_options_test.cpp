@@ -45,8 +45,8 @@ TEST_P(OptionsTest, HelpListsEveryOption) {
   EXPECT_EQ(help.err, "");
   for (const char* option :
        {"scene.toml", "--out DIR", "--frames N", "--h S", "--end S", "--cells N", "--size WxH",
-        "--without TABLE", "--explain ", "--no-pictures ", "--export obj", "--wireframe",
-        "--caption", "--strain S", "--help", "--version"})
+        "--without TABLE", "--set TABLE.KEY=VALUE", "--explain ", "--no-pictures ", "--export obj",
+        "--wireframe", "--caption", "--strain S", "--help", "--version"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option << " is not in\n" << help.out;
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
 }
@@ -113,6 +113,17 @@ TEST_P(OptionsTest, FramesEndAndCellsReplaceThoseOfTheScene) {
   EXPECT_EQ(read_obj(directory / "out/final.obj").vertices(), 36);
 }
 
+// --set and --without take one word each: the scene may follow them.
+TEST_P(OptionsTest, SetsAValueOfTheScene) {
+  const std::string scene = GetParam().scene().string();
+  expect_done({"--end", "0.02", "--no-pictures", "--out", "out", "--set", "cloth.cells=[5, 5]",
+               "--set", "gravity.g=0", "--without", "start", "--set", "cloth.pins=[]", scene});
+  EXPECT_NEAR(read_table(directory / "out/log.csv").at("lowest").back(), 0, 1e-12);
+  const std::string again = read_all(directory / "out/run.toml");
+  EXPECT_NE(again.find("cells = [5, 5]"), std::string::npos) << again;
+  EXPECT_NE(again.find("g = 0\n"), std::string::npos) << again;
+}
+
 TEST_P(OptionsTest, HReplacesThatOfTheScene) {
   const auto said = [&](const char* h) {
     return run(small_square(5, {"--end", "0.02", "--h", h, "--no-pictures"})).out;
@@ -129,7 +140,7 @@ TEST_P(OptionsTest, WithoutGravityAFlatClothStaysWhereItIs) {
 }
 
 TEST_P(OptionsTest, WithoutATermItsColumnIsGone) {
-  const std::filesystem::path out = results("out", 5, {"--without", "shear", "--no-pictures"});
+  const std::filesystem::path out = results("out", 5, {"--no-pictures", "--without", "shear"});
   const Table log = read_table(out / "log.csv");
   EXPECT_EQ(log.count("shear"), 0u);
   EXPECT_EQ(log.count("stretch"), 1u);

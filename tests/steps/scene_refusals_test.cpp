@@ -314,4 +314,42 @@ TEST_F(SceneRefusals, ValuesOfTheCommandLineAreCheckedLikeThoseOfTheFile) {
                 {"scene.toml: " + keys[i], "from the command line", "it must be"});
 }
 
+// The command line -----------------------------------------------------------------------------
+
+TEST_F(SceneRefusals, ASettingThatIsNoneIsNamed) {
+  for (const char* wrong : {"stretch", "stretch.k", ".k=1", "stretch.=1", "stretchk=1", "=1"})
+    EXPECT_EQ(refusal(scene, "step01", {.set = {wrong}}),
+              std::string("scene.toml: --set ") + wrong +
+                  ": it must be TABLE.KEY=VALUE, such as stretch.k=1e4");
+  for (const char* wrong :
+       {"stretch.k=", "stretch.k=1 2", "stretch.k=[1", "stretch.k=1\nshear = 2"})
+    expect_says(refusal(scene, "step01", {.set = {wrong}}),
+                {"scene.toml: --set stretch.k=", "a number, \"text\" or a list"});
+  const std::string far = refusal(scene, "step01", {.set = {"strech.k=1"}});
+  expect_says(far, {"--set strech.k=1: there is no table [strech]", "did you mean \"stretch\"?"});
+  EXPECT_EQ(far.find("damping"), far.npos) << "step01 does not teach damping";
+}
+
+TEST_F(SceneRefusals, ASettingIsCheckedLikeTheFile) {
+  EXPECT_EQ(refusal(scene, "step01", {.set = {"stretch.k=-1"}}),
+            "scene.toml: [stretch] k = -1 from the command line is not valid: it must be a number "
+            "from 0 to 1e30");
+  expect_says(refusal(scene, "step01", {.set = {"stretch.kk=1"}}),
+              {"scene.toml: [stretch] has no key kk, which --set names", "did you mean \"k\"?"});
+  EXPECT_EQ(refusal(scene, "step04_cg", {.set = {"bend.k=1"}}),
+            "scene.toml: step04_cg does not model [bend]; step05_bend does");
+  expect_says(refusal(scene, "step01", {.set = {"start.shape=round"}}), {"round", "flat"});
+}
+
+TEST_F(SceneRefusals, AKeyThatIsSetTwiceIsNamed) {
+  EXPECT_EQ(refusal(scene, "step01", {.set = {"stretch.k=1", "stretch.k=2"}}),
+            "scene.toml: --set stretch.k=2: the command line sets k of [stretch] twice");
+  EXPECT_EQ(refusal(scene, "step01", {.h = 0.01, .set = {"time.h=1"}}),
+            "scene.toml: --set time.h=1: the command line sets h of [time] twice");
+  EXPECT_EQ(refusal(scene, "step01", {.cells = 4, .set = {"cloth.cells=[4, 4]"}}),
+            "scene.toml: --set cloth.cells=[4, 4]: the command line sets cells of [cloth] twice");
+  EXPECT_EQ(refusal(scene, "step01", {.without = {"shear"}, .set = {"shear.k=1"}}),
+            "scene.toml: --set shear.k=1: the command line leaves out [shear], too");
+}
+
 }  // namespace scene_refusals_test

@@ -279,6 +279,22 @@ TEST_F(SceneTest, TheCommandLineReplacesTimeAndCells) {
   EXPECT_EQ(*scene.camera.still, 0.25) << "the still of a shortened run is its end";
 }
 
+TEST_F(SceneTest, ASettingReplacesAValueOrMakesATable) {
+  const Scene scene = read(all_tables, "step05_bend",
+                           {.set = {"stretch.k=1e4", "time.end=0.25", "bend.model=quadratic",
+                                    "bend.k=1", "cloth.pins=[\"top\"]"}});
+  EXPECT_EQ(scene.cloth.term<StretchTerm>()->k, 1e4);
+  EXPECT_EQ(scene.cloth.term<StretchTerm>()->kd, 0.02) << "the rest of the table stays";
+  EXPECT_TRUE(scene.cloth.term<QuadraticBend>());
+  EXPECT_EQ(*scene.camera.still, 0.25) << "the still of a shortened run is its end";
+  EXPECT_EQ(scene.cloth.pins.size(), scene.cloth.grid->cells[0] + 1u);
+
+  const Scene membrane =
+      read(cloth_and_time, "step01", {.set = {"membrane.model=stvk", "membrane.E=5"}});
+  EXPECT_NE(membrane.effective.find("[membrane]\nE = 5\nmodel = 'stvk'"), std::string::npos)
+      << membrane.effective;
+}
+
 TEST_F(SceneTest, AStillAtTheVeryEndAndWindowsLineEndsAreAccepted) {
   EXPECT_EQ(*read(cloth_and_time + "[camera]\nstill = 1\n").camera.still, 1);
   std::string windows;
