@@ -1,13 +1,12 @@
 #include <png.h>
 
-#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <string_view>
 #include <vector>
 
 #include "picture/png.h"
+#include "picture/png_chunks.h"
 
 namespace {
 
@@ -23,29 +22,12 @@ std::string file_bytes(const std::filesystem::path& path) {
   return bytes;
 }
 
-std::size_t big_endian(const std::string& bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return number;
-}
-
-struct Chunk {
-  std::string_view type, content;
-};
-
-// A PNG is 8 bytes of signature, then chunks: length (4 bytes), type (4), content, checksum (4).
-std::vector<Chunk> chunks_of(const std::filesystem::path& path, const std::string& bytes) {
-  if (bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) throw CannotRead(path, "not a PNG file");
-  std::vector<Chunk> chunks;
-  for (std::size_t at = 8; at + 12 <= bytes.size();) {
-    const std::size_t length = big_endian(bytes, at);
-    if (length > bytes.size() - at - 12) throw CannotRead(path, "the file is cut short");
-    const std::string_view chunk = std::string_view(bytes).substr(at + 4, length + 4);
-    chunks.push_back({chunk.substr(0, 4), chunk.substr(4)});
-    at += length + 12;
+std::vector<PngChunk> chunks_of(const std::filesystem::path& path, const std::string& bytes) {
+  try {
+    return png_chunks(bytes);
+  } catch (const std::runtime_error& error) {
+    throw CannotRead(path, error.what());
   }
-  return chunks;
 }
 
 // Deflate packs at most 1032 bytes into one, and a byte holds at most 8 pixels. The header of a damaged file can
@@ -79,7 +61,7 @@ Image read_png(const std::filesystem::path& path) {
 PngText read_png_text(const std::filesystem::path& path) {
   const std::string bytes = file_bytes(path);
   PngText text;
-  for (const Chunk& chunk : chunks_of(path, bytes)) {
+  for (const PngChunk& chunk : chunks_of(path, bytes)) {
     const std::size_t zero = chunk.content.find('\0');
     if (chunk.type == "tEXt" && zero != std::string::npos)
       text.emplace_back(chunk.content.substr(0, zero), chunk.content.substr(zero + 1));

@@ -37,7 +37,7 @@ std::string bytes(const fs::path& path) {
 std::string failure(const fs::path& path, const Image& image) {
   try {
     write_png(path, image);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     return error.what();
   }
   return "nothing failed";
