@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -122,8 +123,11 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
       "--explain", options.explain,
       "print what the scene contains, what a step costs, what sets h and what could be left "
       "out; write no file");
-  app.add_flag_callback(
+  CLI::Option* const no_pictures = app.add_flag_callback(
       "--no-pictures", [&] { options.pictures = false; }, "write no pictures");
+  app.add_flag("--motion", options.motion,
+               "also write motion.png, which plays in a browser, and with ffmpeg motion.mp4")
+      ->excludes(no_pictures);
   app.add_option(
          "--size", size,
          "size of every picture; 1280x720 for the still and half of that for the frames if absent")
@@ -135,10 +139,15 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
                  "colour by strain; SCALE is the end of the colour scale, 0.1 for 10 %")
       ->check(positive_number)
       ->option_text("SCALE");
-  app.add_option("--export", "also write a mesh per frame; obj is the only format")
-      ->check(CLI::IsMember({"obj"}))
-      ->option_text("obj")
-      ->each([&](const std::string&) { options.export_obj = true; });
+  app.add_option("--export",
+                 "also write the cloth of every frame: obj, a mesh per frame, or pc2, all of them "
+                 "in points.pc2; can be repeated")
+      ->check(CLI::IsMember({"obj", "pc2"}))
+      ->option_text("obj|pc2")
+      ->take_all()
+      ->each([&](const std::string& format) {
+        (format == "obj" ? options.export_obj : options.export_pc2) = true;
+      });
   if (program.concepts.implicit) {
     app.add_option("--jacobian", options.method.jacobian,
                    "the matrix: definite, or bw98 as Baraff & Witkin print it; definite if absent")
@@ -199,7 +208,9 @@ std::vector<std::string> words_of(const Options& o) {
   if (o.wireframe) words.push_back("--wireframe");
   if (o.caption) words.push_back("--caption");
   if (o.strain_scale) words.push_back("--strain=" + shortest(*o.strain_scale));
+  if (o.motion) words.push_back("--motion");
   if (o.export_obj) words.push_back("--export=obj");
+  if (o.export_pc2) words.push_back("--export=pc2");
   return words;
 }
 
@@ -220,9 +231,11 @@ struct CommandLine {
     }
     if (!size.empty()) options.size = parse_size(size);
   }
-  bool has(const std::string& word) const {
+  // Does it give the option of this word, or one that excludes it?
+  bool decides(const std::string& word) const {
+    const auto given = [](const CLI::Option* option) { return option->count() > 0; };
     const CLI::Option* option = app.get_option_no_throw(word.substr(0, word.find('=')));
-    return option && option->count() > 0;
+    return option && (given(option) || std::ranges::any_of(option->get_excludes(), given));
   }
 
   CLI::App app;
@@ -236,7 +249,7 @@ Options read_options(const Program& program, const std::string& command,
   const CommandLine given(program, command, words);
   std::vector<std::string> all;
   for (const std::string& word : options_of_run(given.options.scene, program.name))
-    if (!given.has(word)) all.push_back(word);
+    if (!given.decides(word)) all.push_back(word);
   all.insert(all.end(), words.begin(), words.end());
   return all.size() == words.size() ? given.options : CommandLine(program, command, all).options;
 }

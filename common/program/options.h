@@ -34,7 +34,9 @@ struct Options {
 
   bool explain = false;
   bool pictures = true;
+  bool motion = false;
   bool export_obj = false;
+  bool export_pc2 = false;
   std::optional<std::array<int, 2>> size;  // of every picture
   bool wireframe = false;
   bool caption = false;

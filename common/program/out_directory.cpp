@@ -16,7 +16,9 @@
 namespace {
 
 constexpr std::string_view files_of_a_run[] = {
-    "log.csv", "film.png", "still.png", "final.obj", "final_velocities.csv", "run.toml"};
+    "log.csv",    "film.png",  "still.png",  "motion.png",
+    "motion.mp4", "final.obj", "points.pc2", "final_velocities.csv",
+    "run.toml"};
 
 // frame_0000.png, frame_0000.obj, …
 bool is_frame(std::string_view name) {

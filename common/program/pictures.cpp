@@ -1,6 +1,8 @@
 #include "program/pictures.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "picture/film.h"
 #include "picture/overlay.h"
@@ -12,6 +14,8 @@ namespace {
 
 constexpr int film_tiles = 12, film_columns = 4;
 constexpr Colour ink = {70, 78, 92};
+constexpr std::array frame_size = {640, 360};
+constexpr int longest_side_of_motion = 480;  // pixels
 
 Surface surface_of(const Scene& scene, double size) {
   Surface surface;
@@ -22,11 +26,20 @@ Surface surface_of(const Scene& scene, double size) {
   return surface;
 }
 
+// The size of a frame, made smaller so that no side is too long.
+std::array<int, 2> motion_size(std::array<int, 2> size) {
+  const double scale = std::min(1.0, double(longest_side_of_motion) / std::max(size[0], size[1]));
+  for (int& side : size) side = std::max(1, int(std::lround(scale * side)));
+  return size;
+}
+
 }  // namespace
 
 Pictures::Pictures(const Options& options_, const Scene& scene_)
     : options(options_), scene(scene_), stage(make_stage(scene_)),
-      renderer(surface_of(scene_, stage.size)) {}
+      renderer(surface_of(scene_, stage.size)) {
+  if (options.motion) motion.emplace(scene.time);
+}
 
 Image Pictures::draw(const VecX& x, double time, int width, int height) const {
   Style style;
@@ -41,6 +54,13 @@ Image Pictures::draw(const VecX& x, double time, int width, int height) const {
     draw_caption(image, options.program,
                  scene.name() + text("  h = %.6g s  t = %.3f s", scene.time.h, time));
   return image;
+}
+
+// The time in the lower left, unless the caption has it.
+void Pictures::draw_time(Image& image, double time) const {
+  if (options.caption) return;
+  const double height = image.height;
+  draw_text(image, 0.03 * image.width, 0.92 * height, 0.05 * height, text("%.3f s", time), ink);
 }
 
 // How a frame was made. Without date and machine, so that equal runs give equal bytes.
@@ -62,11 +82,10 @@ bool Pictures::on_film(int number) const {
 }
 
 void Pictures::frame(int number, const VecX& x, double time) {
-  const auto [width, height] = options.size.value_or(std::array{640, 360});
+  const auto [width, height] = options.size.value_or(frame_size);
   Image image = draw(x, time, width, height);
   write_png(options.out / text("frame_%04d.png", number), image, about(time));
-  if (!options.caption)
-    draw_text(image, 0.03 * width, 0.92 * height, 0.05 * height, text("%.3f s", time), ink);
+  draw_time(image, time);
   film_end = time;
   if (!last_is_kept) strip.pop_back();
   strip.push_back(std::move(image));
@@ -82,4 +101,14 @@ void Pictures::film() {
   if (strip.empty()) return;
   const int columns = std::min(film_columns, int(strip.size()));
   write_png(options.out / "film.png", film_strip(strip, columns), about(film_end));
+  if (has_motion())
+    write_png(options.out / "motion.png", encode_animation(motion->frames(), about(motion_end)));
+}
+
+void Pictures::add_to_motion(const VecX& x, double time) {
+  const auto [width, height] = motion_size(options.size.value_or(frame_size));
+  Image image = draw(x, time, width, height);
+  draw_time(image, time);
+  motion->add(std::move(image));
+  motion_end = time;
 }

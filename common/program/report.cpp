@@ -92,6 +92,15 @@ void Report::end(const RunTotals& run, const Watch& watch, const State& state,
                 double(run.steps) * scene.time.h);
 }
 
+void Report::video(const std::string& reason, const std::string& command) const {
+  std::printf("  see %s", (options.out / "motion.png").c_str());
+  if (reason.empty())
+    std::printf(" and motion.mp4\n");
+  else
+    std::printf("; motion.mp4 was not made: %s. This command makes it:\n  %s\n", reason.c_str(),
+                command.c_str());
+}
+
 void Report::iterations(const RunTotals& run) const {
   if (!options.concepts.iterative) return;
   std::printf("  %.1f iterations of conjugate gradients per %s (%s, tolerance %g)\n",

@@ -23,6 +23,9 @@ class Report {
   void critical_step(double h_crit) const;
   void end(const RunTotals&, const Watch&, const State&, bool interrupted) const;
 
+  // `reason`: why motion.mp4 could not be made, or "".
+  void video(const std::string& reason, const std::string& command) const;
+
   // The error message of a run whose cloth has exploded: the step, what was seen, and advice.
   std::string explosion(const RunTotals&, const std::string& seen) const;
 

@@ -10,8 +10,10 @@
 #include "program/log.h"
 #include "program/out_directory.h"
 #include "program/pictures.h"
+#include "program/point_cache.h"
 #include "program/progress.h"
 #include "program/report.h"
+#include "program/video.h"
 #include "scene/velocities.h"
 #include "text/text.h"
 #include "text/text_file.h"
@@ -75,8 +77,8 @@ struct Run::Impl {
       : options(options_), scene(scene_), directory(options.out), report(options, scene),
         watch(scene),
         pictures(options.pictures ? std::make_unique<Pictures>(options, scene) : nullptr),
-        log(options.out / "log.csv"), progress(scene.time.steps()),
-        still_frame(still_frame_of(scene)) {}
+        log(options.out / "log.csv"), points(options.out / "points.pc2"),
+        progress(scene.time.steps()), still_frame(still_frame_of(scene)) {}
 
   double time() const { return double(run.steps) * scene.time.h; }
   double seconds_of_stepping() const {
@@ -93,10 +95,27 @@ struct Run::Impl {
     progress.end();
     if (pictures) pictures->film();
     log.close();
+    points.close();
+  }
+
+  // Draws the next picture of motion.png, if it is due. The time of stepping does not include it. A cloth that has
+  // exploded since the last sample is not drawn.
+  void draw_motion(const State& state) {
+    if (!pictures || !pictures->motion_is_due(run.steps)) return;
+    if (has_exploded(max_stretch(scene.mesh, state.x))) return;
+    const Clock::time_point begin = Clock::now();
+    pictures->add_to_motion(state.x, time());
+    stepping_since += Clock::now() - begin;
+  }
+
+  void make_video() {
+    if (pictures && pictures->has_motion())
+      report.video(::make_video(options.out), video_command(options.out));
   }
 
   [[noreturn]] void explode(const std::string& seen) {
     close();
+    make_video();
     throw std::runtime_error(report.explosion(run, seen));
   }
 
@@ -107,6 +126,7 @@ struct Run::Impl {
   Watch watch;
   std::unique_ptr<Pictures> pictures;
   Log log;
+  PointCache points;
   Progress progress;
   int still_frame;
   int steps_per_sample = options.concepts.implicit ? 1 : explicit_steps_per_sample;
@@ -140,6 +160,7 @@ void Run::check(const State& state, const Counters& counts) {
   r.progress.show(++r.run.steps);
   if (!state.x.allFinite()) r.explode("a position is not finite");
   if (r.run.steps % r.steps_per_sample == 0) r.sample(state);
+  r.draw_motion(state);
 }
 
 void Run::record(int frame, const State& state) {
@@ -158,9 +179,11 @@ void Run::record(int frame, const State& state) {
   if (r.pictures) {
     r.pictures->frame(frame, state.x, r.time());
     if (frame == r.still_frame) r.pictures->still(state.x, r.time());
+    if (frame == 0) r.draw_motion(state);
   }
   if (r.options.export_obj)
     write_obj(r.options.out / text("frame_%04d.obj", frame), r.scene.mesh, state.x);
+  if (r.options.export_pc2) r.points.write(state.x);
   r.progress.show_frame(frame, r.scene.time.frames, r.run.steps, r.time());
   r.stepping_since = Impl::Clock::now();
 }
@@ -172,6 +195,7 @@ int Run::finish(const State& state) {
   write_obj(r.options.out / "final.obj", r.scene.mesh, state.x);
   write_velocities(r.options.out / "final_velocities.csv", state.v);
   r.report.end(r.run, r.watch, state, interrupted);
+  r.make_video();
   if (r.run.steps > 0 && r.run.failed == r.run.steps &&
       r.options.method.jacobian == Jacobian::definite)
     throw std::runtime_error(no_result(r.run.steps));

@@ -23,10 +23,10 @@ class Run {
   // position is not finite, or a thread is over 1000 times its length.
   void check(const State&, const Counters& = {});
 
-  // Frame k: a row of log.csv, the pictures, with --export obj a mesh.
+  // Frame k: a row of log.csv, the pictures, with --export a mesh.
   void record(int frame, const State&);
 
-  // Writes film.png, final.obj and final_velocities.csv, and prints the last lines. Returns the
+  // Writes film.png, with --motion the animation, final.obj and final_velocities.csv, and prints the last lines. Returns the
   // exit code. Throws, once all is written, if the linear systems of every step failed.
   int finish(const State&);
 

@@ -43,10 +43,10 @@ TEST_P(OptionsTest, HelpListsEveryOption) {
   const Outcome help = run({"--help"});
   EXPECT_EQ(help.code, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* option :
-       {"scene.toml", "--out DIR", "--frames N", "--h S", "--end S", "--cells N", "--size WxH",
-        "--without TABLE", "--set TABLE.KEY=VALUE", "--explain ", "--no-pictures ", "--export obj",
-        "--wireframe", "--caption", "--strain S", "--help", "--version"})
+  for (const char* option : {"scene.toml", "--out DIR", "--frames N", "--h S", "--end S",
+                             "--cells N", "--size WxH", "--without TABLE", "--set TABLE.KEY=VALUE",
+                             "--explain ", "--no-pictures ", "--export obj|pc2", "--motion ",
+                             "--wireframe", "--caption", "--strain S", "--help", "--version"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option << " is not in\n" << help.out;
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
 }

@@ -178,7 +178,8 @@ TEST_P(ProgramTest, RunTomlMakesTheSameRunAgain) {
         "[start]\npositions = 'mesh.obj'\n[camera]\nstill = 0.01\n");
   Arguments first = {"start/scene.toml", "--h",       "0.0005", "--end",        "0.02",
                      "--frames",         "2",         "--size", "80x45",        "--wireframe",
-                     "--caption",        "--without", "shear",  "--strain=0.1", "--export=obj"};
+                     "--caption",        "--without", "shear",  "--strain=0.1", "--export=obj",
+                     "--export=pc2"};
   const int step = GetParam().number();
   if (step >= 3) first.insert(first.end(), {"--newton", "3", "--guard=off"});
   if (step == 3) first.insert(first.end(), {"--solver=inverse"});

@@ -179,13 +179,14 @@ TEST_P(StopsTest, TwoRunsNeverWriteIntoOneDirectory) {
 
 TEST_P(StopsTest, FilesOfAnEarlierRunGoWhenTheFirstFrameComes) {
   std::filesystem::create_directory(directory / "out");
-  for (const char* name : {"frame_0099.png", "frame_0099.obj", "film.png", "notes.txt"})
+  for (const char* name : {"frame_0099.png", "frame_0099.obj", "film.png", "motion.png",
+                           "motion.mp4", "points.pc2", "notes.txt"})
     write(std::string("out/") + name, "old");
   const Arguments small = small_square(4, {"--end", "0.01", "--no-pictures", "--out", "out"});
   Arguments refused = small;
   refused.insert(refused.end(), {"--h", "1"});
   EXPECT_EQ(run(refused).code, 2);
-  EXPECT_EQ(files_in(directory / "out").size(), 4u) << "a run that fails touches nothing";
+  EXPECT_EQ(files_in(directory / "out").size(), 7u) << "a run that fails touches nothing";
   expect_done(small);
   EXPECT_EQ(files_in(directory / "out"),
             (std::vector<std::string>{"final.obj", "final_velocities.csv", "log.csv", "notes.txt",
