@@ -10,6 +10,7 @@ bool bench_growth();
 bool bench_warm();
 bool bench_bend();
 bool bench_mesh();
+bool bench_mode();
 
 inline bool require(bool holds, const char* what) {
   if (!holds) std::printf("NOT as it should be: %s\n", what);

@@ -4,12 +4,15 @@
 #include <filesystem>
 #include <fstream>
 
+#include "step05_bend/time_step.h"
+
 namespace {
 
 Model model_of(const Setting& s) {
   Model model;
   model.add(StretchTerm(s.k, s.kd_stretch));
   model.add(ShearTerm(s.k_shear, s.kd_shear));
+  if (s.bend > 0) model.add(DihedralBend(s.bend, 1e-3 * s.bend));
   model.gravity = Vec3(0, -9.81, 0);
   model.pins = {s.cells * (s.cells + 1), s.cells * (s.cells + 2)};
   return model;
@@ -17,9 +20,9 @@ Model model_of(const Setting& s) {
 
 std::filesystem::path file_of(const Setting& s) {
   char name[120];
-  std::snprintf(name, sizeof name, "state_%d_%s_k%g_kd%g_h%.4f_%dx%d.bin", s.cells,
-                s.diagonals == Diagonals::same ? "same" : "alternating", s.k, s.kd_stretch, s.h,
-                s.steps, s.parts);
+  std::snprintf(name, sizeof name, "state_%d_%s_k%g_kd%g_b%g_h%.4f_%dx%d.bin", s.cells,
+                s.diagonals == Diagonals::same ? "same" : "alternating", s.k, s.kd_stretch, s.bend,
+                s.h, s.steps, s.parts);
   return std::filesystem::path(STATE_DIRECTORY) / name;
 }
 
@@ -60,10 +63,10 @@ Case::Case(const Setting& s)
   if (load(file_of(s), kept)) return;
   state = {mesh.x, VecX::Zero(mesh.x.size())};
   std::fprintf(stderr, "  (once: %d x %d cells swing for %d steps)\n", s.cells, s.cells, s.steps);
-  step04::System system(cloth, {.guard = false, .preconditioner = "multigrid", .tolerance = 1e-6});
+  step05::System system(cloth, {.guard = false, .preconditioner = "multigrid", .tolerance = 1e-6});
   for (int n = 0; n < s.steps; ++n) {
     last_dv = -state.v;
-    for (int i = 0; i < s.parts; ++i) step04::time_step(cloth, s.h / s.parts, state, system);
+    for (int i = 0; i < s.parts; ++i) step05::time_step(cloth, s.h / s.parts, state, system);
     last_dv += state.v;
   }
   save(file_of(s), kept);

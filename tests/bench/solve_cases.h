@@ -15,6 +15,7 @@ struct Setting {
   double kd_stretch = 10, kd_shear = 1;  // N s/m: kd/k = 1e-3 s
   double h = 0.01;                       // s
   int steps = 20, parts = 8;
+  double bend = 0;  // N m; kd/k = 1e-3 s
 };
 
 struct Case {

@@ -245,10 +245,10 @@ bool bench_growth() {
     return most / least;
   };
   std::printf(
-      "As it should be: multigrid's iterations at an error of 1e-2 within a factor of 2, its bytes "
-      "per vertex too\n");
+      "As it should be: multigrid's iterations at an error of 1e-2 within a factor of 4, its bytes "
+      "per vertex within 1.1\n");
   const bool flat =
-      require(spread([](const Point& p) { return p.needed; }) <= 2, "multigrid's iterations grow");
+      require(spread([](const Point& p) { return p.needed; }) <= 4, "multigrid's iterations grow");
   return require(spread([](const Point& p) { return p.read; }) <= 1.1,
                  "bytes of an iteration grow faster than the number of vertices") &&
          flat;
