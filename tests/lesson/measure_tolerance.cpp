@@ -5,6 +5,8 @@
 // All tolerances solve the systems of one trajectory, that of the direct solves, so that they can be
 // compared. Besides, each tolerance has its own run, where the errors of one step go into the next. Every step
 // is one linear system: the guard is off.
+//
+// --table stiffness prints instead how many times the tolerance the error is, by k and preconditioner.
 #include <CLI/CLI.hpp>
 #include <iostream>
 
@@ -22,13 +24,14 @@ struct Arguments {
   std::filesystem::path out = "out/measure_tolerance";
   std::string preconditioner = "block";
   std::optional<double> k;
+  std::string table;
   Overrides overrides;
 };
 
 // The measurements of one tolerance. Residual, error and iterations have one entry per step.
 struct Measured {
   double tolerance;
-  std::vector<double> residual, error, iterations, seconds;
+  std::vector<double> residual = {}, error = {}, iterations = {}, seconds = {};
   double position = 0, worst_position = 0;
   long capped = 0, indefinite = 0;
 };
@@ -154,7 +157,7 @@ Result measure(const Scene& scene, const std::string& preconditioner) {
   std::vector<Measured>& measured = result.measured;
   std::vector<OwnRun> runs;
   for (int decade = 1; decade <= 10; ++decade) {
-    measured.push_back({std::pow(10.0, -decade), {}, {}, {}, {}});
+    measured.push_back({std::pow(10.0, -decade)});
     runs.emplace_back(scene, preconditioner, measured.back().tolerance);
   }
   Trajectory trajectory(scene, preconditioner);
@@ -244,7 +247,42 @@ plot ")" +
 )";
 }
 
+// Steps along one trajectory, whose systems are solved with each tolerance.
+std::vector<Measured> measure_errors(const Scene& scene, const std::string& preconditioner,
+                                     const std::vector<double>& tolerances) {
+  std::vector<Measured> measured;
+  for (const double tolerance : tolerances) measured.push_back({tolerance});
+  Trajectory trajectory(scene, preconditioner);
+  for (long n = 0; n < scene.time.steps(); ++n) trajectory.step(measured);
+  return measured;
+}
+
+// In Markdown: how many times the tolerance the error in dv is.
+void print_errors_by_stiffness(Arguments arguments) {
+  const std::vector<std::string> names = {"block", "ic", "multigrid"};
+  const std::vector<double> tolerances = {1e-2, 1e-4};
+  const char* const tolerance_names[] = {"10⁻²", "10⁻⁴"};
+  std::printf("| k (N/m) | tolerance |");
+  for (const std::string& name : names) std::printf(" `%s`, median | worst |", name.c_str());
+  std::printf("\n|---|---|---|---|---|---|---|---|\n");
+  for (const auto& [k, k_name] :
+       {std::pair{1e2, "10²"}, {1e3, "10³"}, {1e4, "10⁴"}, {1e5, "10⁵"}}) {
+    arguments.k = k;
+    const Scene scene = read(arguments);
+    std::vector<std::vector<Measured>> all;
+    for (const std::string& name : names) all.push_back(measure_errors(scene, name, tolerances));
+    for (size_t i = 0; i < tolerances.size(); ++i) {
+      std::printf("| %s | %s |", k_name, tolerance_names[i]);
+      for (const std::vector<Measured>& measured : all)
+        std::printf(" %.2g | %.2g |", median(measured[i].error) / tolerances[i],
+                    worst(measured[i].error) / tolerances[i]);
+      std::printf("\n");
+    }
+  }
+}
+
 void run(const Arguments& arguments) {
+  if (!arguments.table.empty()) return print_errors_by_stiffness(arguments);
   const Scene scene = read(arguments);
   std::printf("%s, %d vertices, h = %g s, %ld steps, --preconditioner %s\n",
               arguments.scene.c_str(), scene.cloth.vertices(), scene.time.h, scene.time.steps(),
@@ -268,6 +306,8 @@ int main(int argc, char** argv) {
   app.add_option("--preconditioner", arguments.preconditioner);
   app.add_option("--k", arguments.k, "stiffness of stretch, N/m; shear and damping in proportion")
       ->check(CLI::PositiveNumber);
+  app.add_option("--table", arguments.table, "print one table, and draw nothing: stiffness")
+      ->check(CLI::IsMember({"stiffness"}));
   app.add_option("--h", arguments.overrides.h, "time step, s")->check(CLI::PositiveNumber);
   app.add_option("--end", arguments.overrides.end, "simulated time, s")->check(CLI::PositiveNumber);
   app.add_option("--cells", arguments.overrides.cells, "of the grid")->check(CLI::PositiveNumber);
