@@ -1,6 +1,7 @@
 // The cost of solving: the product with A, a whole implicit step, its growth with the number of
 // vertices, the savings of a warm start, bending, meshes that are no grids, and the error that
-// multigrid removes last. Every step is one linear system: the guard is off. One thread, CPU time, medians of interleaved rounds.
+// multigrid removes last. Every step is one linear system: the guard is off. One thread, CPU time,
+// medians of interleaved rounds.
 //
 // The state is a cloth with equal diagonals in mid-swing: k = 1e4 N/m, k_shear = k/10,
 // kd/k = 1e-3 s, h = 0.01 s, 0.2 kg/m², held by two corners, 0.2 s after it was released flat. The
