@@ -39,7 +39,6 @@ Model read_model(const SceneFile& scene) {
   return model;
 }
 
-// If the command line sets the end, a still that would come after it moves to the end.
 Camera read_camera(const SceneFile& scene, double end) {
   Camera camera;
   if (!scene.has("camera")) return camera;
@@ -50,10 +49,8 @@ Camera read_camera(const SceneFile& scene, double end) {
   if (camera.eye && camera.target && !((*camera.eye - *camera.target).norm() > 1e-12))
     table.refuse("eye", "it must be another point than target");
   if (!table.has("still")) return camera;
-  const double still = table.number("still", Range::not_negative);
-  if (still > end && !scene.table("time").is_given("end"))
-    table.refuse("still", "it must be from 0 to the end of [time]");
-  camera.still = std::min(still, end);
+  camera.still = table.number("still", Range::not_negative);
+  if (*camera.still > end) table.refuse("still", "it must be from 0 to the end of [time]");
   return camera;
 }
 

@@ -220,6 +220,7 @@ void SceneFile::apply(const Overrides& overrides) {
     if (overrides.frames) time->insert_or_assign("frames", *overrides.frames);
   }
   if (overrides.cells) apply_cells(*overrides.cells);
+  move_still();
 }
 
 // --set TABLE.KEY=VALUE. The value is copied, because a copy has no line in a file.
@@ -232,6 +233,14 @@ void SceneFile::set(const std::string& setting) {
   const toml::table value = value_of(file, setting);
   if (toml::table* target = tables[table].as_table())
     value.begin()->second.visit([&, k = key](const auto& v) { target->insert_or_assign(k, v); });
+}
+
+// If the command line sets the end, a still that would come after it moves to the end.
+void SceneFile::move_still() {
+  const toml::node *end = tables["time"]["end"].node(), *still = tables["camera"]["still"].node();
+  if (!end || !still || !end->is_number() || !still->is_number() || !is_given(*end)) return;
+  if (*still->value<double>() > *end->value<double>())
+    tables["camera"].as_table()->insert_or_assign("still", *end->value<double>());
 }
 
 // With other cells a vertex number means another place, or none.

@@ -27,6 +27,7 @@ class SceneFile {
   void apply(const Overrides&);
   void set(const std::string& setting);
   void apply_cells(int cells);
+  void move_still();
   void check_numbered_pins(int cells) const;
 
   int step;  // 3 of step03_implicit

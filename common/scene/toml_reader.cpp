@@ -105,15 +105,11 @@ std::string location(const std::filesystem::path& file, const toml::node& node) 
   return at + " ";
 }
 
-bool TomlTable::is_given(std::string_view key) const {
-  return has(key) && ::is_given(*table_.get(key));
-}
-
 void TomlTable::allow_only(const Names& keys) const {
   for (const auto& [key, value] : table_)
     if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
       throw BadInput(location(file_, value) + title_ + " has no key " + std::string(key.str()) +
-                     (::is_given(value) ? ", which --set names" : "") + "; " +
+                     (is_given(value) ? ", which --set names" : "") + "; " +
                      valid_names(key.str(), keys));
 }
 

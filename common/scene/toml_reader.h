@@ -24,7 +24,6 @@ class TomlTable {
   }
 
   bool has(std::string_view key) const { return table_.contains(key); }
-  bool is_given(std::string_view key) const;  // by the command line
   void allow_only(const Names& keys) const;
 
   // Each refuses a table without the key. A whole number will do for a number; nan and inf will

@@ -277,6 +277,7 @@ TEST_F(SceneTest, TheCommandLineReplacesTimeAndCells) {
   EXPECT_EQ(scene.time.frames, 5);
   EXPECT_EQ(scene.mesh.vertices(), 7 * 4) << "cells keep their shape";
   EXPECT_EQ(*scene.camera.still, 0.25) << "the still of a shortened run is its end";
+  EXPECT_EQ(*read(scene.effective).camera.still, 0.25) << "run.toml makes the same run";
 }
 
 TEST_F(SceneTest, ASettingReplacesAValueOrMakesATable) {
