@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 
 #include "picture/png.h"
 #include "test_scene.h"
@@ -33,12 +37,78 @@ TEST(Compare, Verdicts) {
   EXPECT_EQ(verdict_of(0, 0), Verdict::IDENTICAL);
   EXPECT_EQ(verdict_of(1, 1), Verdict::EQUIVALENT);
   EXPECT_EQ(verdict_of(500, 2), Verdict::EQUIVALENT);
-  EXPECT_EQ(verdict_of(10, 8), Verdict::EQUIVALENT) << "1e-4 of the pixels by more than 2";
-  EXPECT_EQ(verdict_of(11, 8), Verdict::DIFFERENT);
-  EXPECT_EQ(verdict_of(1, 100), Verdict::EQUIVALENT) << "1e-5 of the pixels by more than 8";
-  EXPECT_EQ(verdict_of(2, 100), Verdict::DIFFERENT);
+  EXPECT_EQ(verdict_of(1, 100), Verdict::EQUIVALENT) << "a silhouette's pixel jumps";
+  EXPECT_EQ(verdict_of(20, 9), Verdict::EQUIVALENT) << "2e-4 of the pixels, scattered";
+  EXPECT_EQ(verdict_of(21, 9), Verdict::DIFFERENT);
   const Image all = filled_image(1000, 100, {101, 101, 101});
   EXPECT_EQ(verdict(compare(reference, all)), Verdict::DIFFERENT) << "rmse 1";
+}
+
+// Pixels in a row, one every `step`.
+Verdict verdict_of_row(int pixels, int step) {
+  Image image = reference;
+  for (int i = 0; i < pixels; ++i) image.rgb[pixel_at(image, 500 + step * i, 50)] = 103;
+  return verdict(compare(reference, image));
+}
+
+TEST(Compare, PixelsSideBySideAreDifferentWhereScatteredOnesAreEquivalent) {
+  EXPECT_EQ(verdict_of_row(6, 1), Verdict::EQUIVALENT);
+  EXPECT_EQ(verdict_of_row(7, 1), Verdict::DIFFERENT);
+  EXPECT_EQ(verdict_of_row(20, 3), Verdict::EQUIVALENT) << "at most 6 in 16 columns";
+}
+
+// The densest window, counted window by window.
+int counted_window(const Image& a, const Image& b) {
+  int most = 0;
+  for (int top = 0; top < a.height; ++top)
+    for (int left = 0; left < a.width; ++left) {
+      int marked = 0;
+      for (int y = top; y < std::min(top + 16, a.height); ++y)
+        for (int x = left; x < std::min(left + 16, a.width); ++x)
+          marked += pixel_difference(&a.rgb[pixel_at(a, x, y)], &b.rgb[pixel_at(b, x, y)]) > 2;
+      most = std::max(most, marked);
+    }
+  return most;
+}
+
+TEST(Compare, DensestWindowIsThatOfCountingEachWindow) {
+  std::mt19937 random(7);
+  for (const auto& [width, height] : {std::array{1, 1}, {5, 40}, {16, 16}, {40, 31}}) {
+    const Image a = filled_image(width, height, {100, 100, 100});
+    Image b = a;
+    for (std::size_t i = 0; i < b.rgb.size(); i += 3)
+      if (random() % 6 == 0) b.rgb[i] = 103;
+    EXPECT_EQ(compare(a, b).window, counted_window(a, b)) << width << "x" << height;
+    Image corner = a;
+    corner.rgb.back() = 0;
+    EXPECT_EQ(compare(a, corner).window, 1) << width << "x" << height;
+  }
+}
+
+Image frame_of(const TestScene& scene) {
+  TestScene s = scene;
+  s.style = {.width = 640, .height = 360};
+  return Renderer(s.surface).draw(s.stage, s.x, s.style);
+}
+
+// Both kinds from the table in tests/README.md, at the size of a frame.
+TEST(Compare, MovedEdgeIsDifferentWhereRoundingOfAllVerticesIsEquivalent) {
+  const int cells = 40;
+  const TestScene scene = hung_cloth(cells);
+  const Image before = frame_of(scene);
+
+  TestScene edge = scene;
+  edge.x.segment<3>(3 * cells / 2) += Vec3(0.001, 0.001, 0);  // in the middle of the lower border
+  const Difference moved = compare(before, frame_of(edge));
+  EXPECT_EQ(verdict(moved), Verdict::DIFFERENT) << describe(moved);
+
+  TestScene noise = scene;
+  std::mt19937 random(1);
+  for (double& x : noise.x) x += 1e-5 * std::uniform_real_distribution<double>(-1, 1)(random);
+  const Difference scattered = compare(before, frame_of(noise));
+  EXPECT_EQ(verdict(scattered), Verdict::EQUIVALENT) << describe(scattered);
+  EXPECT_GE(scattered.largest, 30) << "the largest difference would not tell the two apart";
+  EXPECT_GE(scattered.above2, 10);
 }
 
 TEST(Compare, Numbers) {
@@ -51,6 +121,7 @@ TEST(Compare, Numbers) {
   EXPECT_EQ(d.above0, 3);
   EXPECT_EQ(d.above2, 3);
   EXPECT_EQ(d.above8, 2);
+  EXPECT_EQ(d.window, 1);
   EXPECT_NEAR(d.rmse, std::sqrt((9 + 1600 + 1600) / 3e5), 1e-12);
   EXPECT_EQ(d.left, 30);
   EXPECT_EQ(d.top, 40);
