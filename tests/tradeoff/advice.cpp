@@ -65,18 +65,6 @@ std::string which(const Study& study, const std::vector<Score>& front) {
 
 }  // namespace
 
-std::string for_shell(const std::filesystem::path& path) {
-  std::string text = std::filesystem::proximate(path).string();
-  if (text.find('/') == std::string::npos) text = "./" + text;
-  const bool plain = text.find_first_not_of(
-                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                         "0123456789_-./+") == std::string::npos;
-  if (plain) return text;
-  for (size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 4)
-    text.replace(at, 1, "'\\''");
-  return "'" + text + "'";
-}
-
 std::string advice(const Study& study) {
   if (!study.can_judge())
     return "No way can be told to be nearer to the truth than another; take the cheapest whose "

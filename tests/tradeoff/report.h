@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 
+#include "support/shell.h"
 #include "tradeoff/front.h"
 #include "tradeoff/study.h"
 
@@ -25,9 +26,6 @@ using Question = std::function<std::optional<Score>(const std::vector<Score>&)>;
 // The best trial of the steps' programs, with the command that repeats it. If XPBD or VBD does better, that
 // as well, without a command: there is none.
 std::string answer(const Study&, const Question&);
-
-// A path for a shell, relative to the working directory, in quotes if it needs them.
-std::string for_shell(const std::filesystem::path&);
 
 // The command that runs the trial, which is one of a step, and the command that measures its error.
 std::string command_of(const Study&, const Score&);
