@@ -19,13 +19,6 @@ void require_one_size(const std::vector<Image>& frames) {
           "x" + std::to_string(frames[0].height));
 }
 
-void paste(const Image& part, int left, int top, Image& sheet) {
-  const std::ptrdiff_t row = 3 * part.width;
-  for (int y = 0; y < part.height; ++y)
-    std::copy_n(part.rgb.begin() + y * row, row,
-                sheet.rgb.begin() + static_cast<std::ptrdiff_t>(pixel_at(sheet, left, top + y)));
-}
-
 }  // namespace
 
 Image film_strip(const std::vector<Image>& frames, int columns) {

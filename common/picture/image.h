@@ -1,5 +1,6 @@
 // A picture in memory, and a colour.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -26,4 +27,11 @@ inline Image filled_image(int width, int height, Colour colour) {
   image.rgb.resize(3 * pixel_count(image));
   for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = colour[i % 3];
   return image;
+}
+
+// The whole picture `part` must have room in `image`; its upper left corner comes to (left, top).
+inline void paste(const Image& part, int left, int top, Image& image) {
+  for (int y = 0; y < part.height; ++y)
+    std::copy_n(&part.rgb[pixel_at(part, 0, y)], 3 * part.width,
+                &image.rgb[pixel_at(image, left, top + y)]);
 }

@@ -7,6 +7,7 @@
 
 #include "picture/png.h"
 #include "picture/png_chunks.h"
+#include "text/text_file.h"
 
 namespace {
 
@@ -16,9 +17,10 @@ struct CannotRead : std::runtime_error {
 };
 
 std::string file_bytes(const std::filesystem::path& path) {
+  if (const std::string reason = no_file(path); !reason.empty()) throw CannotRead(path, reason);
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file) throw CannotRead(path, "no such file, or not readable");
+  if (!file) throw CannotRead(path, "it is not readable");
   return bytes;
 }
 
