@@ -1,4 +1,5 @@
-// The default run of each program draws the frame.png beside it, the picture that its README shows.
+// The default run of each program draws the frame.png beside it, the picture that its README shows. The
+// positions and energies of that run are compared in tests/steps/program_results_test.cpp.
 #include <cstdio>
 
 #include "picture/compare.h"
@@ -11,11 +12,7 @@ namespace golden_test {
 Image beside(const std::vector<Image>& pictures) {
   const int width = pictures[0].width, height = pictures[0].height;
   Image all = filled_image(width * int(pictures.size()), height, {255, 255, 255});
-  for (size_t p = 0; p < pictures.size(); ++p)
-    for (int y = 0; y < height; ++y) {
-      const auto row = pictures[p].rgb.begin() + long(pixel_at(pictures[p], 0, y));
-      std::copy(row, row + 3 * width, all.rgb.begin() + long(pixel_at(all, int(p) * width, y)));
-    }
+  for (size_t p = 0; p < pictures.size(); ++p) paste(pictures[p], int(p) * width, 0, all);
   return all;
 }
 
@@ -23,7 +20,7 @@ class GoldenFrame : public ProgramTest {};
 
 TEST_P(GoldenFrame, IsWhatTheDefaultRunDraws) {
   const std::filesystem::path golden = GetParam().scene().parent_path() / "frame.png";
-  ASSERT_TRUE(exists(golden)) << golden << " is missing: it is still.png of the default run";
+  ASSERT_TRUE(exists(golden)) << golden << " is missing: the target update_frames draws it";
   expect_done({"--out", "out"});
   const Image expected = read_png(golden), actual = read_png(directory / "out/still.png");
   ASSERT_EQ(expected.width, 1280);
@@ -34,7 +31,8 @@ TEST_P(GoldenFrame, IsWhatTheDefaultRunDraws) {
   const std::filesystem::path shown =
       std::filesystem::path(testing::TempDir()) / ("golden_" + GetParam().name + ".png");
   write_png(shown, beside({expected, actual, difference_picture(expected, actual)}));
-  FAIL() << describe(difference) << "\nexpected | actual | difference: " << shown.string();
+  FAIL() << describe(difference) << "\nexpected | actual | difference: " << shown.string()
+         << "\nIf the change is wanted: cmake --build build/release --target update_frames";
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, GoldenFrame, testing::ValuesIn(programs()), name_of);
