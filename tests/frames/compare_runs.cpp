@@ -10,6 +10,7 @@
 #include "comparison_text.h"
 #include "picture/png.h"
 #include "report_json.h"
+#include "report_page.h"
 #include "sheet_of_runs.h"
 #include "text/bad_input.h"
 #include "text/text.h"
@@ -19,7 +20,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> runs;
-  std::string json, sheet;
+  std::string json, html, sheet;
   bool differences = false;
 };
 
@@ -42,6 +43,7 @@ int run(const Arguments& arguments) {
   if (!arguments.sheet.empty())
     write_png(arguments.sheet, sheet_of_runs(comparisons, arguments.differences));
   if (!arguments.json.empty()) write(arguments.json, report_json(comparisons));
+  if (!arguments.html.empty()) write_report_page(arguments.html, comparisons);
 
   for (const Comparison& comparison : comparisons)
     if (comparison.verdict == Verdict::DIFFERENT) return 1;
@@ -62,6 +64,10 @@ int main(int argc, char** argv) {
       ->option_text("A B [C ...]");
   app.add_option("--json", arguments.json, "write everything as JSON; - for the standard output")
       ->option_text("FILE");
+  app.add_option(
+         "--html", arguments.html,
+         "write a page for a browser, and the pictures beside it: both films in step, curves")
+      ->option_text("FILE.html");
   CLI::Option* const sheet =
       app.add_option("--sheet", arguments.sheet, "draw all runs into one picture, a row per run")
           ->option_text("FILE.png");

@@ -28,14 +28,17 @@ Json frame_of(const RecordedRun& run, const RunFrame& frame) {
           {"iterations", or_null(frame.value("iterations"))}};
 }
 
-Json run_of(const RecordedRun& run) {
+Json run_of(const RecordedRun& run, const PictureAddresses& addresses) {
   Json frames = Json::array();
   for (const RunFrame& frame : run.frames) frames.push_back(frame_of(run, frame));
-  return {{"name", run.name},
-          {"program", run.program},
-          {"directory", run.directory.string()},
-          {"reproduce", command_that_makes(run, run.directory)},
-          {"frames", frames}};
+  Json result = {{"name", run.name},
+                 {"program", run.program},
+                 {"directory", run.directory.string()},
+                 {"reproduce", command_that_makes(run, run.directory)},
+                 {"frames", frames}};
+  const auto address = addresses.find(run.directory);
+  if (address != addresses.end()) result["pictures"] = address->second;
+  return result;
 }
 
 Json pair_of(const FramePair& pair) {
@@ -53,7 +56,7 @@ Json pair_of(const FramePair& pair) {
           {"worst_vertex", or_null(position, [](const auto& p) { return p.worst_vertex; })}};
 }
 
-Json comparison_of(const Comparison& c) {
+Json comparison_of(const Comparison& c, const PictureAddresses& addresses) {
   Json inputs = Json::array(), frames = Json::array();
   for (const InputDifference& input : c.inputs)
     inputs.push_back({{"key", input.key}, {"values", {input.a, input.b}}});
@@ -62,7 +65,7 @@ Json comparison_of(const Comparison& c) {
           {"summary", summary(c)},
           {"inputs", inputs},
           {"notes", c.notes},
-          {"runs", {run_of(*c.a), run_of(*c.b)}},
+          {"runs", {run_of(*c.a, addresses), run_of(*c.b, addresses)}},
           {"frames", frames},
           {"first_difference", or_null(c.first_difference)},
           {"accept", command_that_makes(*c.b, c.a->directory)}};
@@ -70,9 +73,11 @@ Json comparison_of(const Comparison& c) {
 
 }  // namespace
 
-std::string report_json(const std::vector<Comparison>& comparisons) {
+std::string report_json(const std::vector<Comparison>& comparisons,
+                        const PictureAddresses& addresses) {
   Json pairs = Json::array();
-  for (const Comparison& comparison : comparisons) pairs.push_back(comparison_of(comparison));
+  for (const Comparison& comparison : comparisons)
+    pairs.push_back(comparison_of(comparison, addresses));
   // A name that is no UTF-8 keeps its place with a sign of replacement.
   return Json{{"version", 1}, {"pairs", pairs}}.dump(1, ' ', false,
                                                      Json::error_handler_t::replace) +
