@@ -90,6 +90,9 @@ function(define_path target name path)
   target_compile_definitions(${target} PRIVATE "${name}=R\"path(${path})path\"")
 endfunction()
 
+# The gallery's runs export meshes: so its page can say how far two cloths are apart.
+set(LARGE_STEPS_GALLERY_OPTIONS --export obj)
+
 # A step: its program, which finds its scene in the step's own directory, and its pictures in the gallery.
 function(add_step step)
   if(NOT TARGET cloth_explain)
@@ -105,7 +108,7 @@ function(add_step step)
     add_custom_target(gallery)
   endif()
   add_custom_target(gallery_${step}
-    COMMAND ${step} --out ${CMAKE_BINARY_DIR}/gallery/${step} USES_TERMINAL VERBATIM)
+    COMMAND ${step} --out ${CMAKE_BINARY_DIR}/gallery/${step} ${LARGE_STEPS_GALLERY_OPTIONS} USES_TERMINAL VERBATIM)
   add_dependencies(gallery gallery_${step})
 endfunction()
 
