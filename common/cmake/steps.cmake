@@ -90,8 +90,8 @@ function(define_path target name path)
   target_compile_definitions(${target} PRIVATE "${name}=R\"path(${path})path\"")
 endfunction()
 
-# The gallery's runs export meshes: so its page can say how far two cloths are apart.
-set(LARGE_STEPS_GALLERY_OPTIONS --export obj)
+# The gallery's runs write films for its page, and meshes: so the page can say how far two cloths are apart.
+set(LARGE_STEPS_GALLERY_OPTIONS --motion --export obj)
 
 # A step: its program, which finds its scene in the step's own directory, and its pictures in the gallery.
 function(add_step step)
