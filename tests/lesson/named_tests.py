@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-NAMED = r"ctest[^`\n]*?\s-R\s+('[^']+'|[^\s`)]+)|`([A-Z][A-Za-z0-9]*\.[A-Z][A-Za-z0-9]*)`"
+NAMED = r"ctest[^`\n]*?\s-R\s+('[^']+'|[^\s`)<]+)|`([A-Z][A-Za-z0-9]*\.[A-Z][A-Za-z0-9]*)`"
 
 
 def named_expressions():
