@@ -5,6 +5,7 @@
 #include "contact_sheet.h"
 #include "made_up_run.h"
 #include "picture/compare.h"
+#include "picture/png.h"
 #include "report_json.h"
 #include "sheet_of_runs.h"
 #include "support/program_runner.h"
@@ -138,6 +139,22 @@ bool contains(const Image& sheet, const Colour& colour) {
   for (size_t i = 0; i < sheet.rgb.size(); i += 3)
     if (std::equal(colour.begin(), colour.end(), &sheet.rgb[i])) return true;
   return false;
+}
+
+// The script has the numbers of both runs; a column that no run changes has no panel.
+TEST_F(CompareRuns, PlotLogDrawsTheColumnsThatChange) {
+  run_with("a", 20);
+  run_with("b_c", 25);
+  const Outcome outcome = Running(PLOT_LOG, {"a", "b_c", "--out", "p/log.png"}, directory).wait(60);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::string script = read_all(directory / "p/log.gp");
+  EXPECT_NE(script.find("\"b_c\" noenhanced"), std::string::npos) << script;
+  EXPECT_NE(script.find("total energy, J"), std::string::npos);
+  EXPECT_EQ(script.find("iterations"), std::string::npos);
+  EXPECT_NE(script.find("\n0.5,"), std::string::npos) << "time and values of the second frame";
+  if (outcome.out.find("gnuplot is missing") == std::string::npos)
+    EXPECT_EQ(read_png(directory / "p/log.png").width, 900);
+  EXPECT_EQ(Running(PLOT_LOG, {"absent"}, directory).wait(60).code, 2);
 }
 
 TEST(ContactSheet, HasARowPerRunAndAPlaceForWhatIsMissing) {
