@@ -83,42 +83,89 @@ int end_of_page(const std::string& program, int code) {
   return 1;
 }
 
-void declare(CLI::App& app, const Program& program, Options& options, std::string& size) {
-  options.program = program.name;
-  options.concepts = program.concepts;
-  options.scene = program.directory / "scene.toml";
-  options.out = std::filesystem::path("out") / program.name;
+// "; 0.01 in the step's own scene": what runs where an option of the scene is absent.
+std::string own_value(const Program& program, const char* table, const char* key) {
+  const std::string value = value_in_scene(program.directory / "scene.toml", table, key);
+  return value.empty() ? "" : "; " + value + " in the step's own scene";
+}
 
-  // No -h: CLI11 2.4 refuses --h beside it.
-  app.set_help_flag("--help", "list the options");
+void declare_scene(CLI::App& app, const Program& program, Options& options) {
+  app.option_defaults()->group("Scene");
   app.add_option("scene", options.scene,
                  "the scene to simulate; the step's own scene.toml if absent")
       ->option_text("[scene.toml]");
-  app.add_option("--out", options.out,
-                 "directory of the results; out/" + program.name + " if absent")
-      ->check(not_empty)
-      ->option_text("DIR");
-  app.add_option("--frames", options.overrides.frames, "number of frames after the start")
+  app.add_option("--h", options.overrides.h, "time step, s" + own_value(program, "time", "h"))
+      ->check(positive_number)
+      ->option_text("S");
+  app.add_option("--end", options.overrides.end,
+                 "simulated time, s" + own_value(program, "time", "end"))
+      ->check(positive_number)
+      ->option_text("S");
+  app.add_option("--frames", options.overrides.frames,
+                 "number of frames after the start" + own_value(program, "time", "frames"))
       ->check(positive_integer)
       ->option_text("N");
-  app.add_option("--h", options.overrides.h, "time step, s")
-      ->check(positive_number)
-      ->option_text("S");
-  app.add_option("--end", options.overrides.end, "simulated time, s")
-      ->check(positive_number)
-      ->option_text("S");
   app.add_option("--cells", options.overrides.cells,
-                 "cells of the grid along u; along v in proportion")
+                 "cells of the grid along u, and along v in proportion" +
+                     own_value(program, "cloth", "cells"))
       ->check(positive_integer)
       ->option_text("N");
-  app.add_option("--without", options.overrides.without,
-                 "leave out a table of the scene; can be repeated")
-      ->allow_extra_args(false)
-      ->option_text("TABLE");
   app.add_option("--set", options.overrides.set,
                  "set a value of the scene, such as stretch.k=1e4; can be repeated")
       ->allow_extra_args(false)
       ->option_text("TABLE.KEY=VALUE");
+  app.add_option("--without", options.overrides.without,
+                 "leave out a table of the scene; can be repeated")
+      ->allow_extra_args(false)
+      ->option_text("TABLE");
+}
+
+void declare_method(CLI::App& app, const Program& program, Method& method) {
+  app.option_defaults()->group("Method");
+  if (program.concepts.implicit) {
+    app.add_option("--jacobian", method.jacobian,
+                   "the matrix: definite, or bw98 as Baraff & Witkin print it; definite if absent")
+        ->transform(NamedValues(std::map<std::string, Jacobian>{{"definite", Jacobian::definite},
+                                                                {"bw98", Jacobian::bw98}}))
+        ->option_text("definite|bw98");
+    app.add_option("--newton", method.newton,
+                   "largest number of Newton iterations per step; 1 if absent")
+        ->check(positive_integer)
+        ->option_text("N");
+    app.add_option("--guard", method.guard,
+                   "repeat a step that gains energy, by Newton's method; on if absent")
+        ->transform(NamedValues(std::map<std::string, bool>{{"on", true}, {"off", false}}))
+        ->option_text("on|off");
+  }
+  if (program.concepts.direct)
+    app.add_option("--solver", method.solver,
+                   "solver of the linear system; " + method.solver + " if absent")
+        ->check(CLI::IsMember(solver_names))
+        ->option_text(joined(solver_names, "|"));
+  if (program.concepts.iterative) {
+    app.add_option("--preconditioner", method.preconditioner,
+                   "preconditioner of conjugate gradients; " + method.preconditioner + " if absent")
+        ->check(CLI::IsMember(preconditioner_names))
+        ->option_text(joined(preconditioner_names, "|"));
+    app.add_option("--tolerance", method.tolerance,
+                   "largest error of conjugate gradients, relative to the solution; " +
+                       text("%g", method.tolerance) + " if absent")
+        ->check(below_one)
+        ->option_text("E");
+    app.add_option("--max-iterations", method.max_iterations,
+                   "largest number of iterations of conjugate gradients per system; " +
+                       std::to_string(method.max_iterations) + " if absent")
+        ->check(positive_integer)
+        ->option_text("N");
+  }
+}
+
+void declare_results(CLI::App& app, const Program& program, Options& options, std::string& size) {
+  app.option_defaults()->group("Results");
+  app.add_option("--out", options.out,
+                 "directory of the results; out/" + program.name + " if absent")
+      ->check(not_empty)
+      ->option_text("DIR");
   app.add_flag(
       "--explain", options.explain,
       "print what the scene contains, what a step costs, what sets h and what could be left "
@@ -148,44 +195,21 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
       ->each([&](const std::string& format) {
         (format == "obj" ? options.export_obj : options.export_pc2) = true;
       });
-  if (program.concepts.implicit) {
-    app.add_option("--jacobian", options.method.jacobian,
-                   "the matrix: definite, or bw98 as Baraff & Witkin print it; definite if absent")
-        ->transform(NamedValues(std::map<std::string, Jacobian>{{"definite", Jacobian::definite},
-                                                                {"bw98", Jacobian::bw98}}))
-        ->option_text("definite|bw98");
-    app.add_option("--newton", options.method.newton,
-                   "largest number of Newton iterations per step; 1 if absent")
-        ->check(positive_integer)
-        ->option_text("N");
-    app.add_option("--guard", options.method.guard,
-                   "repeat a step that gains energy, by Newton's method; on if absent")
-        ->transform(NamedValues(std::map<std::string, bool>{{"on", true}, {"off", false}}))
-        ->option_text("on|off");
-  }
-  if (program.concepts.direct)
-    app.add_option("--solver", options.method.solver,
-                   "solver of the linear system; " + options.method.solver + " if absent")
-        ->check(CLI::IsMember(solver_names))
-        ->option_text(joined(solver_names, "|"));
-  if (program.concepts.iterative) {
-    app.add_option(
-           "--preconditioner", options.method.preconditioner,
-           "preconditioner of conjugate gradients; " + options.method.preconditioner + " if absent")
-        ->check(CLI::IsMember(preconditioner_names))
-        ->option_text(joined(preconditioner_names, "|"));
-    app.add_option("--tolerance", options.method.tolerance,
-                   "largest error of conjugate gradients, relative to the solution; " +
-                       text("%g", options.method.tolerance) + " if absent")
-        ->check(below_one)
-        ->option_text("E");
-    app.add_option("--max-iterations", options.method.max_iterations,
-                   "largest number of iterations of conjugate gradients per system; " +
-                       std::to_string(options.method.max_iterations) + " if absent")
-        ->check(positive_integer)
-        ->option_text("N");
-  }
+}
+
+void declare(CLI::App& app, const Program& program, Options& options, std::string& size) {
+  options.program = program.name;
+  options.concepts = program.concepts;
+  options.scene = program.directory / "scene.toml";
+  options.out = std::filesystem::path("out") / program.name;
+
+  // No -h: CLI11 2.4 refuses --h beside it.
+  app.set_help_flag("--help", "list the options");
   app.set_version_flag("--version", program.name + " (Large Steps " LARGE_STEPS_VERSION ")");
+  declare_scene(app, program, options);
+  declare_method(app, program, options.method);
+  declare_results(app, program, options, size);
+  app.footer("Example: " + program.name + " --set stretch.k=500 --out out/soft");
 }
 
 // The options in words; those of the scene (--h, --cells, …) stand in the scene itself.

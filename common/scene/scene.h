@@ -48,3 +48,6 @@ Scene read_scene(const std::filesystem::path&, const std::string& program, const
 // The options in the table [run] of a scene, which a run of this program has written (run.toml); none where
 // there is no such table, or where another program wrote it. Throws BadInput.
 std::vector<std::string> options_of_run(const std::filesystem::path&, const std::string& program);
+
+// A value of a scene as the file has it, for people; "" where the scene does not have it, or cannot be read.
+std::string value_in_scene(const std::filesystem::path&, const char* table, const char* key);

@@ -288,3 +288,12 @@ std::vector<std::string> options_of_run(const std::filesystem::path& file,
   }
   return options;
 }
+
+std::string value_in_scene(const std::filesystem::path& file, const char* table,
+                           const char* key) try {
+  const toml::table scene = read_toml(file);
+  const toml::node* value = scene[table][key].node();
+  return value ? as_toml(*value) : "";
+} catch (const BadInput&) {
+  return "";
+}
