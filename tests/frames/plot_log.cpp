@@ -17,9 +17,9 @@ struct Panel {
 };
 constexpr Panel panels[] = {{"total", "total energy, J"},
                             {"elastic", "elastic energy, J"},
-                            {"max_stretch", "largest stretch of a thread"},
+                            {"max_stretch", "largest stretch"},
                             {"lowest", "lowest point, m"},
-                            {"iterations", "iterations since the start"}};
+                            {"iterations", "iterations so far"}};
 
 // A column that stays the same says nothing; an explicit step has no iterations. The energy is always shown.
 bool is_shown(const Panel& panel, const std::vector<RecordedRun>& runs) {
@@ -56,7 +56,7 @@ std::string script(const std::vector<RecordedRun>& runs, const std::string& pict
   script += text("unset format\nset terminal pngcairo size 900,%zu font \"sans,12\"\n", 240 * rows);
   script += "set output \"" + picture + "\"\n";
   for (size_t i = 0; i < runs.size(); ++i) script += data_block(runs[i], i);
-  script += text("set key outside right top\nset lmargin 12\nset multiplot layout %zu,1\n", rows);
+  script += text("set key outside top center\nset lmargin 12\nset multiplot layout %zu,1\n", rows);
   for (size_t p = 0; p < std::size(panels); ++p) {
     if (!is_shown(panels[p], runs)) continue;
     script += text("set ylabel \"%s\"\nset xlabel \"time, s\"\nplot ", panels[p].axis);
@@ -64,7 +64,7 @@ std::string script(const std::vector<RecordedRun>& runs, const std::string& pict
       script += text("%s$run%zu using 1:%zu with linespoints lt %zu title ", i ? ", " : "", i,
                      p + 2, i % 7 + 1) +
                 quoted(runs[i].name);
-    script += "\n";
+    script += "\nset nokey\n";
   }
   return script + "unset multiplot\n";
 }
