@@ -30,6 +30,16 @@ inline double length(Point a) {
   return std::hypot(a.x, a.y);
 }
 
+// Data to pixels: (0, 0) of the data lies at `origin`, and their y points up.
+struct Scale {
+  Point origin;
+  double x_unit, y_unit;  // pixels
+
+  Point operator()(double x, double y) const {
+    return {origin.x + x_unit * x, origin.y - y_unit * y};
+  }
+};
+
 struct Stroke {
   std::string colour = ink;
   double width = 2;
@@ -73,6 +83,16 @@ class Svg {
     body += text(
         "<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" text-anchor=\"%s\" font-size=\"%d\">%s</text>\n",
         at.x, at.y, colour.c_str(), anchor.c_str(), size, escaped(words).c_str());
+  }
+
+  // A label with a white border, readable where it lies on lines.
+  void note(Point at, const std::string& words, const std::string& colour = ink,
+            const std::string& anchor = "middle", int size = 17) {
+    body +=
+        "<g stroke=\"white\" stroke-width=\"5\" stroke-linejoin=\"round\" "
+        "paint-order=\"stroke\">\n";
+    label(at, words, colour, anchor, size);
+    body += "</g>\n";
   }
 
   // The file. Its background is white, so that it is readable on a dark page.
