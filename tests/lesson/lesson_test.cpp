@@ -132,7 +132,7 @@ std::vector<std::filesystem::path> documents() {
 
 // Every picture that a document shows and every file that it links to is there.
 TEST(Lessons, LinksAndPicturesExist) {
-  const std::regex link("\\]\\(([^)#]+)(#[^)]*)?\\)"), web("https?://.*");
+  const std::regex link("\\]\\(([^)# ]+)(#[^)]*)?\\)"), web("https?://.*");
   for (const auto& document : documents()) {
     const std::string text = read(document);
     for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it)
@@ -198,6 +198,50 @@ TEST(Lessons, TablesOfEquationsNameFunctionsThatExist) {
     }
     EXPECT_GE(rows, 2) << step.name;
   }
+}
+
+// Without the spaces at the beginning of each line: a quoted line is indented as its list is.
+std::string unindented(const std::string& text) {
+  std::string out;
+  for (const std::string& line : lines(text)) {
+    const size_t begin = line.find_first_not_of(' ');
+    out += (begin == std::string::npos ? "" : line.substr(begin)) + "\n";
+  }
+  return out;
+}
+
+// The blocks of a document between ```cpp and ```, unindented.
+std::vector<std::string> quoted_code(const std::string& document) {
+  std::vector<std::string> blocks;
+  bool code = false;
+  for (const std::string& line : lines(unindented(document))) {
+    if (line == "```cpp") blocks.emplace_back();
+    if (code && line != "```") blocks.back() += line + "\n";
+    code = line == "```cpp" || (code && line != "```");
+  }
+  return blocks;
+}
+
+TEST(Lessons, QuotedCodeIsFound) {
+  EXPECT_EQ(quoted_code("a\n```cpp\n  b\n\nc\n```\nd\n   ```cpp\n   e;\n   ```\n```\nf\n```\n"),
+            (std::vector<std::string>{"b\n\nc\n", "e;\n"}));
+}
+
+// The C++ that a lesson quotes stands in a file of its step, in a header of common/math, or in a test.
+TEST(Lessons, QuoteTheCodeAsItIs) {
+  std::string shared = unindented(read(source / "tests/support/plain_cg.h"));
+  for (const auto& entry : std::filesystem::directory_iterator(source / "common/math"))
+    shared += unindented(read(entry.path()));
+  int quoted = 0;
+  for (const Step& step : steps()) {
+    const std::string code = shared + unindented(read(source / step.name / "time_step.h")) +
+                             unindented(read(source / step.name / "main.cpp"));
+    for (const std::string& block : quoted_code(read(source / step.name / "README.md"))) {
+      EXPECT_NE(code.find("\n" + block), std::string::npos) << step.name << ":\n" << block;
+      ++quoted;
+    }
+  }
+  EXPECT_GT(quoted, 5);
 }
 
 TEST(Lessons, PlainConjugateGradientsArePrintedAsTheyAreTested) {

@@ -96,6 +96,18 @@ def energy_of_h():
                  "lowest point at 0.25 s (m)"), rows)
 
 
+def weight_of_a():
+    rows = []
+    for cells in (10, 20, 40):
+        lowest = []
+        for softer in (1, (10 / cells)**2):
+            run = Run("step01_explicit", "--end", "0.5", "--frames", "1", "--cells", str(cells),
+                      "--set", f"stretch.k={1000 * softer}", "--set", f"shear.k={500 * softer}")
+            lowest.append(minus(f"{run.log[-1]['lowest']:.3f}"))
+        rows.append((f"{cells} × {cells}", *lowest))
+    print_table(("cells", "lowest point at 0.5 s with √a (m)", "with a (m)"), rows)
+
+
 # Step 2 ---------------------------------------------------------------------------------------
 
 def energies():
@@ -219,7 +231,7 @@ def warm_starts():
 
 
 TABLES = {function.__name__: function for function in
-          (energy_of_h, energies, critical_step_of_damping, price_of_h, cost_of_stiffness,
+          (energy_of_h, weight_of_a, energies, critical_step_of_damping, price_of_h, cost_of_stiffness,
            tolerances, residuals, whole_step, warm_starts)}
 
 if __name__ == "__main__":

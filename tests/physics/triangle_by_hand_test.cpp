@@ -50,6 +50,28 @@ TEST(TriangleByHand, HasTheseThreadsAndConditions) {
   EXPECT_NEAR(Shear(t, w).C, 0.00777817459, 1e-11);
 }
 
+TEST(TriangleByHand, HasTheseWeights) {
+  const Triangle t = make_triangle(triangle_by_hand(), 0);
+  const Eigen::Matrix<double, 2, 3> weights{{-10, 10, 0}, {-10, 0, 10}};
+  EXPECT_LT((t.weight - weights).cwiseAbs().maxCoeff(), 1e-13) << t.weight;
+}
+
+TEST(TriangleByHand, HasTheseDerivativesAndForcesOnItsThreads) {
+  const Mesh mesh = triangle_by_hand();
+  const Triangle t = make_triangle(mesh, 0);
+  const Vecs<2> w = gather(t, mesh.x);
+  const Stretch u(t, w, 0), v(t, w, 1);
+  const Shear shear(t, w);
+  expect_near(u.dCdy[0], Vec3(0.0707107, 0, 0), 5e-8, "dC_u/dw_u");
+  expect_near(v.dCdy[0], Vec3(0.00703598, 0.0703598, 0), 5e-8, "dC_v/dw_v");
+  expect_near(shear.dCdy[0], Vec3(0.00707107, 0.0707107, 0), 5e-8, "dC_s/dw_u");
+  expect_near(shear.dCdy[1], Vec3(0.0777817, 0, 0), 5e-8, "dC_s/dw_v");
+  expect_near(-1000 * u.C * u.dCdy[0], Vec3(-0.5, 0, 0), 1e-12, "stretch on w_u");
+  expect_near(-500 * shear.C * shear.dCdy[0], Vec3(-0.0275, -0.275, 0), 1e-12, "shear on w_u");
+  expect_near(-1000 * v.C * v.dCdy[0], Vec3(-0.0024814, -0.024814, 0), 5e-8, "stretch on w_v");
+  expect_near(-500 * shear.C * shear.dCdy[1], Vec3(-0.3025, 0, 0), 1e-12, "shear on w_v");
+}
+
 TEST(TriangleByHand, HasTheseEnergies) {
   const Mesh mesh = triangle_by_hand();
   const Cloth cloth = make_cloth(mesh, model(1000, 500, Gravity::off));
