@@ -151,20 +151,19 @@ Svg overshoot() {
   std::vector<Point> exact;
   for (double t = 0; t < 8.5; t += 0.05) exact.push_back(at(t, std::cos(t)));
   svg.path(exact, {pale, 2, "6 5"});
-  const auto draw = [&](double h_omega, int steps, const std::string& colour) {
+  const auto draw = [&](double h_omega, int steps, const std::string& colour, Point label_at) {
     std::vector<Point> points;
     for (const double x : elongations(h_omega, steps))
       points.push_back(at(h_omega * double(points.size()), x));
     svg.path(points, {colour, 2});
     for (const Point& p : points) svg.dot(p, 4.5, colour);
+    svg.label(label_at, text("h ω = %g", h_omega), colour);
   };
-  draw(2.05, 4, orange);
-  draw(0.5, 16, blue);
+  draw(2.05, 4, orange, at(6.3, 2.75));
+  draw(0.5, 16, blue, at(2.9, 1));
   svg.label(at(8.95, -0.12), "t", ink, "start");
   svg.label(at(0, 3.8) + Point{-22, 12}, "x");
-  svg.label(at(6.95, 2.75), "h ω = 2.05", orange, "end");
   svg.label(at(4.6, -2.6), "too far, and farther every time", orange, "start", 15);
-  svg.label(at(2.9, 1.0), "h ω = 0.5", blue);
   return svg;
 }
 
@@ -202,6 +201,7 @@ Svg phase_plane() {
   };
   draw(180, forward_euler, 21, orange);
   draw(540, step01::time_step, 21, blue);
+  svg.label({360, 366}, text("h ω = %g", h_omega), ink, "middle", 15);
   svg.label({180, 22}, "forward Euler spirals outwards", orange, "middle", 15);
   svg.label({540, 22}, "symplectic Euler stays on an ellipse", blue, "middle", 15);
   return svg;

@@ -8,6 +8,8 @@ namespace {
 
 using namespace figures;
 
+const std::string grey = "#777777";  // of words, which need more contrast than lines
+
 // A damper acts on a change of length alone -------------------------------------------------------
 
 // A spring with a damper beside it, from left to right.
@@ -113,8 +115,7 @@ Svg vibration() {
   svg.label(E(0, 0.58) + Point{-20, 0}, "E");
   svg.label(x(32.4, 0) + Point{4, 5}, "t");
   svg.label(E(32.4, 0) + Point{4, 5}, "t");
-  svg.label(E(16, 0.5) + Point{0, -8}, "without damping: the energy stays", "#777777", "middle",
-            15);
+  svg.label(E(16, 0.5) + Point{0, -8}, "without damping: the energy stays", grey, "middle", 15);
   svg.label(E(10.5, 0.2), "with damping: it can only fall", blue, "start", 15);
   return svg;
 }
@@ -141,7 +142,7 @@ Svg limit() {
   svg.label(v(6.0, 0) + Point{-4, -10}, "step", ink, "middle", 15);
   svg.label({72, 24}, text("ζ = %g, h ω = %g", zeta, too_long), orange, "start", 15);
   svg.label({72, 46}, text("ζ = %g, h ω = %g", zeta, stable), blue, "start", 15);
-  svg.label({72, 68}, text("ζ = 0, h ω = %g", too_long), "#777777", "start", 15);
+  svg.label({72, 68}, text("ζ = 0, h ω = %g", too_long), grey, "start", 15);
 
   const Scale at = {{430, 305}, 120, 130};
   std::vector<Point> border;
