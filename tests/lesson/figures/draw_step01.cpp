@@ -106,7 +106,7 @@ Svg triangle_by_hand() {
   svg.arrow(place(now[0]), place(now[2]), {orange, 3});
   for (const int i : {0, 1, 2}) {
     const Vec3 f = system.f.segment<3>(3 * i);
-    svg.arrow(place(now[i]), place(now[i]) + Point{14 * f[0], -14 * f[1]}, {green, 4});
+    svg.arrow(place(now[i]), place(now[i]) + 13.7 * Point{f[0], -f[1]}, {green, 4});
     svg.dot(place(now[i]), 6);
   }
   svg.label(at(0.055, -0.013), "0.1 m wᵤ", blue, "middle", 15);
@@ -145,7 +145,7 @@ std::vector<double> elongations(double h_omega, int steps) {
 
 Svg overshoot() {
   Svg svg(720, 330);
-  const Scale at = {{60, 165}, 72, 40};
+  const Scale at = {{60, 165}, 72, 41};
   svg.arrow(at(0, 0), at(8.9, 0), {pale, 1.5});
   svg.arrow(at(0, -3.7), at(0, 3.8), {pale, 1.5});
   std::vector<Point> exact;
