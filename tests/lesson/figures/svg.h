@@ -61,6 +61,13 @@ class Svg {
                  list.c_str(), fill.c_str(), words(stroke).c_str());
   }
 
+  // Many lines of one stroke.
+  void lines(const std::vector<std::array<Point, 2>>& all, const Stroke& stroke = {}) {
+    std::string moves;
+    for (const auto& [a, b] : all) moves += text("M%.1f,%.1fL%.1f,%.1f", a.x, a.y, b.x, b.y);
+    body += text("<path d=\"%s\" fill=\"none\" %s/>\n", moves.c_str(), words(stroke).c_str());
+  }
+
   // From a to b, with its head at b.
   void arrow(Point a, Point b, const Stroke& stroke = {}) {
     const double whole = length(b - a), head = std::min(4 + 3 * stroke.width, whole);
