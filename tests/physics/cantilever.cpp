@@ -6,7 +6,7 @@ HeldStrip::HeldStrip(const Cantilever& c)
   shake();
   Model m =
       model(c.membrane * c.B / (c.L * c.L), 0.5 * c.membrane * c.B / (c.L * c.L), Gravity::on);
-  add_bend(m, c.bend_model, *stiffness_of_modulus(c.bend_model, c.B));
+  add_bend(m, c.bend_model, stiffness_of_modulus(c.bend_model, c.B).value_or(c.spring_k));
   for (const int row : {0, 1})
     for (int j = 0; j <= c.across; ++j) m.pins.push_back(mesh.grid->vertex(row, j));
   cloth = make_cloth(mesh, m);

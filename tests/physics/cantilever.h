@@ -21,6 +21,7 @@ struct Cantilever {
   Diagonals diagonals = Diagonals::same;
   BendModel bend_model = BendModel::dihedral;
   int across = 1;         // cells
+  double spring_k = 0;    // N/m, where the model is springs: they have no modulus
   double membrane = 1e6;  // k L²/B of stretch
   double jitter = 0;      // how far vertices are from their places on the grid, in h
 

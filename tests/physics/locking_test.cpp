@@ -4,22 +4,9 @@
 #include "cantilever.h"
 #include "scene/mesh_edges.h"
 #include "support/decompositions.h"
+#include "support/straight_fold.h"
 
 namespace locking_test {
-
-using Edge = std::array<int, 2>;
-
-std::vector<Edge> edges(const Mesh& mesh) {
-  std::vector<Edge> all;
-  for (const Face& f : mesh.faces)
-    for (int c = 0; c < 3; ++c) {
-      const auto [low, high] = std::minmax(f[c], f[(c + 1) % 3]);
-      all.push_back({low, high});
-    }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
 
 // One row per edge: the derivative of its length by the positions of the vertices.
 MatX rigidity(const VecX& x, const std::vector<Edge>& edges) {
@@ -67,52 +54,30 @@ TEST(Locking, EdgesLeaveAsManyWaysToMoveAsTheBoundaryHasVerticesAndThreeMore) {
     }
 }
 
-// A grid of 8 × 8 cells of 1 m, folded by 1 rad on a straight line: which edges change, and by how much.
-struct Folded {
-  int changed = 0;
-  double most = 0;  // of the length at rest
-};
-
-Folded fold(const Vec2& through, double direction) {
-  const Mesh mesh = make_grid({8, 8}, {8, 8}, Diagonals::same);
-  const Vec3 p(through.x(), 0, -through.y()), along(std::cos(direction), 0, -std::sin(direction));
-  const Vec3 aside = Vec3::UnitY().cross(along);
-  VecX x = mesh.x;
-  for (int i = 0; i < mesh.vertices(); ++i) {
-    const Vec3 from_line = x.segment<3>(3 * i) - p;
-    if (from_line.dot(aside) > 1e-9)
-      x.segment<3>(3 * i) = p + Eigen::AngleAxisd(1, along) * from_line;
-  }
-  Folded folded;
-  for (const auto& [i, j] : edges(mesh)) {
-    const double before = (mesh.x.segment<3>(3 * i) - mesh.x.segment<3>(3 * j)).norm();
-    const double change = (x.segment<3>(3 * i) - x.segment<3>(3 * j)).norm() / before - 1;
-    if (std::abs(change) > 1e-12) ++folded.changed;
-    folded.most = std::max(folded.most, std::abs(change));
-  }
-  return folded;
-}
-
 // A fold along a mesh line only bends hinges. Any other fold shortens the edges that it crosses: at most to
 // cos(1/2) of their length, where it crosses the middle of an edge at a right angle.
 TEST(Locking, OnlyFoldsAlongMeshLinesChangeNoLength) {
-  ASSERT_EQ(edges(make_grid({8, 8}, {8, 8}, Diagonals::same)).size(), 208u);
+  const Mesh mesh = make_grid({8, 8}, {8, 8}, Diagonals::same);
+  ASSERT_EQ(edges(mesh).size(), 208u);
   struct Case {
     const char* name;
     Vec2 through;
     double degrees;
-    int changed;
+    size_t changed;
     double most;
   };
   for (const Case& c : {Case{"along u", {4, 4}, 0, 0, 0}, Case{"along v", {4, 4}, 90, 0, 0},
                         Case{"along the diagonals", {4, 4}, 135, 0, 0},
                         Case{"across the diagonals", {4, 4}, 45, 8, 1 - std::cos(0.5)},
                         Case{"at 20 degrees", {0, 2.5}, 20, 23, 0.107}}) {
-    const Folded folded = fold(c.through, c.degrees * pi / 180);
-    std::printf("fold %s: %d of 208 edges change, by up to %.1f %%\n", c.name, folded.changed,
-                100 * folded.most);
-    EXPECT_EQ(folded.changed, c.changed) << c.name;
-    EXPECT_NEAR(folded.most, c.most, 1e-3) << c.name;
+    const std::vector<ChangedEdge> changed =
+        changed_by_fold(mesh, {c.through, c.degrees * pi / 180});
+    double most = 0;
+    for (const ChangedEdge& edge : changed) most = std::max(most, std::abs(edge.change));
+    std::printf("fold %s: %zu of 208 edges change, by up to %.1f %%\n", c.name, changed.size(),
+                100 * most);
+    EXPECT_EQ(changed.size(), c.changed) << c.name;
+    EXPECT_NEAR(most, c.most, 1e-3) << c.name;
   }
 }
 
