@@ -83,6 +83,13 @@ int end_of_page(const std::string& program, int code) {
   return 1;
 }
 
+void declare_pages(CLI::App& app, const Program& program) {
+  // No -h: CLI11 2.4 refuses --h beside it.
+  app.set_help_flag("--help", "list the options");
+  app.set_version_flag("--version", program.name + " (Large Steps " LARGE_STEPS_VERSION ")");
+  app.footer("Example: " + program.name + " --set stretch.k=500 --out out/soft");
+}
+
 // "; 0.01 in the step's own scene": what runs where an option of the scene is absent.
 std::string own_value(const Program& program, const char* table, const char* key) {
   const std::string value = value_in_scene(program.directory / "scene.toml", table, key);
@@ -203,13 +210,10 @@ void declare(CLI::App& app, const Program& program, Options& options, std::strin
   options.scene = program.directory / "scene.toml";
   options.out = std::filesystem::path("out") / program.name;
 
-  // No -h: CLI11 2.4 refuses --h beside it.
-  app.set_help_flag("--help", "list the options");
-  app.set_version_flag("--version", program.name + " (Large Steps " LARGE_STEPS_VERSION ")");
+  declare_pages(app, program);
   declare_scene(app, program, options);
   declare_method(app, program, options.method);
   declare_results(app, program, options, size);
-  app.footer("Example: " + program.name + " --set stretch.k=500 --out out/soft");
 }
 
 // The options in words; those of the scene (--h, --cells, …) stand in the scene itself.
