@@ -14,8 +14,8 @@ rehearsed  It builds, or runs tests. The test asks whether the target or the tes
 expensive  It measures for long, builds, or changes the checkout.
 
 Only --fully runs the last two. Its checkout is that of the last commit, and the commands of the
-README build it. A word such as my_scene.toml stands for something of the reader: STAND_INS says what
-it is here. The exit code has to be 0, or 1 where ENDS_WITH_1 has a reason.
+README build it. A word such as my_scene.toml stands for something of the reader: STAND_INS says
+what it is here. The exit code has to be 0, or 1 where ENDS_WITH_1 has a reason.
 """
 import argparse
 import os
