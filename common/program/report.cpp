@@ -85,8 +85,8 @@ void Report::end(const RunTotals& run, const Watch& watch, const State& state,
       "%s: %ld steps in %.3g s (%.3g ms each), largest stretch %.4f, energy %.4g J at the "
       "start, %.4g J at the end\n",
       interrupted ? "stopped" : "done", run.steps, run.seconds,
-      1000 * run.seconds / double(std::max(run.steps, 1L)), watch.most_stretch, joule(watch.start.total()),
-      joule(energies(scene.cloth, state).total()));
+      1000 * run.seconds / double(std::max(run.steps, 1L)), watch.most_stretch,
+      joule(watch.start.total()), joule(energies(scene.cloth, state).total()));
   iterations(run);
   redone(run);
   warnings(run, watch, state);

@@ -14,6 +14,9 @@ def is_installed():
     return shutil.which("chromedriver") is not None and shutil.which("chromium") is not None
 
 
+PATIENCE = 200  # s, for one command: a machine can be busy
+
+
 class Browser:
     """Use it in `with`: both programs end with it."""
 
@@ -23,6 +26,7 @@ class Browser:
         port = re.search(r"port (\d+)", ready)[1]
         self.address = f"http://127.0.0.1:{port}/session"
         self.address += "/" + self.call("POST", "", {"capabilities": {"alwaysMatch": {
+            "timeouts": {"script": 1000 * PATIENCE, "pageLoad": 1000 * PATIENCE},
             "goog:chromeOptions": {
                 "binary": shutil.which("chromium"),
                 "args": ["--headless=new", "--hide-scrollbars", f"--user-data-dir={profile}", *arguments,
@@ -45,7 +49,7 @@ class Browser:
         request = urllib.request.Request(self.address + path, data, {"Content-Type": "application/json"},
                                          method=method)
         try:
-            with urllib.request.urlopen(request, timeout=60) as answer:
+            with urllib.request.urlopen(request, timeout=PATIENCE) as answer:
                 return json.load(answer)["value"]
         except urllib.error.HTTPError as error:
             raise RuntimeError(json.load(error)["value"]["message"]) from None
@@ -60,7 +64,7 @@ class Browser:
     def devtools(self, command, **parameters):
         return self.call("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})
 
-    def wait_until(self, condition, seconds=10):
+    def wait_until(self, condition, seconds=60):
         """Waits until the JavaScript expression is true."""
         end = time.monotonic() + seconds
         while not self.run(f"return Boolean({condition})"):
