@@ -119,6 +119,8 @@ class Runner:
     def output(self, command):
         if command not in self.outputs:
             output = self._run(command)
+            if not output.strip():
+                raise LessonError(f"{command} prints nothing")
             for root in (SOURCE, self.directory):
                 output = output.replace(f"{root}/", "…/")
             self.outputs[command] = output

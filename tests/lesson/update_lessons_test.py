@@ -165,6 +165,10 @@ class Commands(unittest.TestCase):
         with self.assertRaisesRegex(LessonError, "exit code 2 of exit 2"):
             self.runner.output("exit 2")
 
+    def test_that_print_nothing_are_an_error(self):
+        with self.assertRaisesRegex(LessonError, "true prints nothing"):
+            self.runner.output("true")
+
 
 if __name__ == "__main__":
     unittest.main()
