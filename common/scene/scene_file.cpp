@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "scene/step_names.h"
+#include "text/text.h"
 #include "text/text_file.h"
 
 namespace {
