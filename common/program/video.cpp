@@ -4,7 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <vector>
@@ -62,15 +61,6 @@ std::string failure(int status) {
                            : text("ffmpeg was ended by signal %d", WTERMSIG(status));
 }
 
-// A word that the shell takes as it stands; in quotes if it has a character that means something to the shell.
-std::string quoted(const std::string& word) {
-  const auto is_plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./:", c); };
-  if (std::ranges::all_of(word, is_plain)) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
-
 }  // namespace
 
 std::string make_video(const std::filesystem::path& directory) {
@@ -89,6 +79,6 @@ std::string video_command(const std::filesystem::path& directory) {
   std::vector<std::string> words;
   for (const std::string& word :
        words_of_command(directory / "motion.png", directory / "motion.mp4"))
-    words.push_back(quoted(word));
+    words.push_back(shell_word(word));
   return joined(words, " ");
 }

@@ -84,13 +84,13 @@ std::array<std::string, 2> place_of(const std::filesystem::path& file, const std
 // quotes.
 toml::table value_of(const std::filesystem::path& file, const std::string& setting) {
   const std::string value = setting.substr(setting.find('=') + 1);
-  const bool is_word = !value.empty() && std::ranges::all_of(value, [](unsigned char c) {
-    return std::isalpha(c) || std::strchr("-_./", c) != nullptr;
-  });
-  const bool is_bool = value == "true" || value == "false";
+  const auto is_in_a_word = [](unsigned char c) {
+    return std::isalnum(c) || std::strchr("-_./", c);
+  };
+  const bool is_word = !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) &&
+                       std::ranges::all_of(value, is_in_a_word);
   try {
-    toml::table parsed =
-        toml::parse("value = " + (is_word && !is_bool ? '"' + value + '"' : value));
+    toml::table parsed = toml::parse("value = " + (is_word ? '"' + value + '"' : value));
     if (parsed.size() == 1) return parsed;
   } catch (const toml::parse_error&) {
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 
 namespace {
 
@@ -57,6 +58,14 @@ std::string one_line(std::string words) {
   while (is_inside_a_character(line[begin])) --begin;
   while (is_inside_a_character(line[end])) ++end;
   return line.substr(0, begin) + " ... " + line.substr(end);
+}
+
+std::string shell_word(const std::string& word) {
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("-_./:+", c); };
+  if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
 }
 
 std::string count(long number, const std::string& thing) {

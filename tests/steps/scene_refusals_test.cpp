@@ -339,6 +339,8 @@ TEST_F(SceneRefusals, ASettingIsCheckedLikeTheFile) {
   EXPECT_EQ(refusal(scene, "step04_cg", {.set = {"bend.k=1"}}),
             "scene.toml: step04_cg does not model [bend]; step05_bend does");
   expect_says(refusal(scene, "step01", {.set = {"start.shape=round"}}), {"round", "flat"});
+  expect_says(refusal(scene, "step01", {.set = {"start.positions=pose_2.obj"}}),
+              {"[start] positions = 'pose_2.obj' from the command line", "no such file"});
 }
 
 TEST_F(SceneRefusals, AKeyThatIsSetTwiceIsNamed) {
