@@ -9,6 +9,9 @@ template <class X>
 Nothing operator*(Nothing, const X&) {
   return {};
 }
+inline Mat3 operator*(Nothing, const Mat3&) {
+  return Mat3::Zero();
+}
 inline double operator+(double sum, Nothing) {
   return sum;
 }
