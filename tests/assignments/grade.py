@@ -1,0 +1,238 @@
+#!/usr/bin/env python3
+"""Grades the tasks of a hand-in.
+
+    python3 tests/assignments/grade.py DIR A3 B3 --student ada --out results/ada
+
+DIR is the student's copy; of it, only the bodies of the named functions, helpers.h, and answers.toml are read.
+For each task these go into the project's own code, so that a mistake costs one task. The result is a table, and in
+--out: results.json for Gradescope, junit.xml, and one file TASK.exit with an exit code for each task.
+
+Exit code: 0 if all tasks passed, 1 if not, 2 if the command cannot be used.
+"""
+import argparse
+import contextlib
+import fcntl
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import functions
+import make
+import results
+import runs
+import tasks
+from runs import FAILED, PASSED, UNWRITTEN, Ending
+from tasks import SOURCE
+
+COMPILE_SECONDS = 120
+HELPERS = "common/math/helpers.h"
+
+
+class Refused(Exception):
+    """What a hand-in must not have, as a sentence."""
+
+
+# What is taken from a hand-in ----------------------------------------------------------------------
+
+def refuse_forbidden(text, where):
+    """Raises Refused for a # line, and for words that make the compiler read other files."""
+    code = functions.NOT_CODE.sub(functions.blank, text)
+    for number, line in enumerate(code.split("\n"), 1):
+        if re.match(r"\s*(#|%:)", line):
+            raise Refused(f"{where}, line {number}: a line that begins with # is not taken: "
+                          f"{text.splitlines()[number - 1].strip()}")
+        if word := re.search(r"\b(asm|__asm|__asm__|_Pragma)\b", line):
+            raise Refused(f"{where}, line {number}: the word {word.group()} is not taken")
+
+
+def read(hand_in, file):
+    try:
+        return (hand_in / file).read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        raise Refused(f"The hand-in has no readable {file} ({type(error).__name__})") from None
+
+
+def handed_bodies(task, hand_in):
+    """The bodies of the task's functions, in order."""
+    text = read(hand_in, task.file)
+    bodies = []
+    for name in task.functions:
+        try:
+            bodies.append(functions.body(text, name, task.file))
+        except functions.CodeError as error:
+            raise Refused(f"{error}. It must stand where it was handed out.") from None
+        refuse_forbidden(bodies[-1], f"{task.file}, {name}")
+    return bodies
+
+
+def handed_helpers(hand_in):
+    """helpers.h of the hand-in. Empty if there is nothing in it."""
+    if not (hand_in / HELPERS).exists():
+        return ""
+    text = read(hand_in, HELPERS).replace("#pragma once", "", 1)
+    if not functions.squeezed(text):
+        return ""
+    refuse_forbidden(text, HELPERS)
+    return "#pragma once\n" + text
+
+
+# The workshop: the project's own code, in which one task at a time is the student's -----------------
+
+class Workshop:
+    """A copy in which all bodies are the project's. It is made once, and is used for every hand-in."""
+
+    def __init__(self, directory, chosen):
+        self.directory, self.build = directory, directory / "build"
+        self.hand_in = directory / "hand_in"
+        self.chosen = {task.id: task for task in chosen}
+
+    @contextlib.contextmanager
+    def locked(self):
+        self.directory.mkdir(parents=True, exist_ok=True)
+        with open(self.directory / "lock", "w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            yield self
+
+    def prepare(self):
+        """Writes the copy and configures it. Files that have not changed keep their time: nothing is rebuilt."""
+        fresh = self.directory / "fresh"
+        shutil.rmtree(fresh, ignore_errors=True)
+        make.copy(list(self.chosen.values()), fresh, hand_out=False)
+        for path in fresh.rglob("*"):
+            old = self.directory / "copy" / path.relative_to(fresh)
+            if path.is_file() and not (old.exists() and old.read_bytes() == path.read_bytes()):
+                old.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(path, old)
+        shutil.rmtree(fresh)
+        self.run("cmake", "-S", self.directory / "copy", "-B", self.build, "-G", "Ninja",
+                 "-DCMAKE_BUILD_TYPE=Release", f"-DHAND_IN={self.hand_in}")
+
+    def run(self, *command):
+        """The output if the command failed, else nothing."""
+        try:
+            done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                  errors="replace", timeout=COMPILE_SECONDS)
+        except subprocess.TimeoutExpired:
+            return f"error: the compiler was still busy after {COMPILE_SECONDS} seconds"
+        return done.stdout if done.returncode else ""
+
+    def place(self, task, changed):
+        """changed: file → text, for this task only."""
+        shutil.rmtree(self.hand_in / task.id, ignore_errors=True)
+        for file, text in changed.items():
+            path = self.hand_in / task.id / file
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        (self.directory / "copy/tests/assignments/checks" / task.check).touch()
+
+    def check(self, task, changed, seed):
+        self.place(task, changed)
+        if output := self.run("cmake", "--build", self.build, "--target", task.target):
+            return Ending(FAILED, "It does not compile: " + shown_error(output, self.directory))
+        return runs.run_check(self.build / "checks" / task.target, seed)
+
+
+def shown_error(output, directory):
+    """The first error of the compiler, with the student's name of the file."""
+    error = runs.first_error(output)
+    return re.sub(re.escape(str(directory)) + r"/(hand_in/[^/]+|copy|build)/", "", error)
+
+
+# Grading -------------------------------------------------------------------------------------------
+
+def project_text(task):
+    """The file of a task as the project has it; of an invention, as it was handed out."""
+    return task.source.read_text()
+
+
+def is_project(task, bodies):
+    """True if every body is the project's own, but for comments and spaces."""
+    text = project_text(task)
+    return all(functions.squeezed(body) == functions.squeezed(functions.body(text, name, task.file))
+               for body, name in zip(bodies, task.functions))
+
+
+def is_given(task, bodies):
+    """True if every body is the one that was handed out."""
+    text = project_text(task)
+    given = [functions.body(text, name, task.file) for name in task.functions]
+    if task.kind != "invent":
+        given = [task.given_body(body, name) for body, name in zip(given, task.functions)]
+    return [functions.squeezed(b) for b in bodies] == [functions.squeezed(b) for b in given]
+
+
+def changed_files(task, bodies, helpers, student):
+    """The files in which the student's code for this task stands."""
+    text = project_text(task)
+    for name, body in zip(task.functions, bodies):
+        text = functions.with_body(text, name, body, task.file)
+    changed = {task.file: text}
+    if helpers:
+        changed[HELPERS] = helpers
+    if task.kind == "invent" and task.given:
+        changed[task.numbers_file] = make.numbers_header(task, student)
+    return changed
+
+
+def grade_code(task, hand_in, student, seed, workshop):
+    """A task whose answer is code."""
+    try:
+        bodies = handed_bodies(task, hand_in)
+        if is_given(task, bodies):
+            return Ending(UNWRITTEN, results.KINDS[task.kind])
+        if task.kind != "invent" and is_project(task, bodies):
+            return Ending(PASSED)
+        changed = changed_files(task, bodies, handed_helpers(hand_in), student)
+    except Refused as error:
+        return Ending(FAILED, str(error))
+    return workshop.check(task, changed, seed)
+
+
+def grade(chosen, hand_in, student, seed, workshop):
+    found = []
+    for task in chosen:
+        found.append(results.result(task, grade_code(task, hand_in, student, seed, workshop)))
+    return found
+
+
+def write(found, out):
+    out.mkdir(parents=True, exist_ok=True)
+    (out / "results.json").write_text(results.gradescope(found))
+    (out / "junit.xml").write_text(results.junit(found))
+    for r in found:
+        (out / f"{r.id}.exit").write_text("0\n" if r.state == PASSED else "1\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("hand_in", type=pathlib.Path, metavar="DIR", help="the student's copy")
+    parser.add_argument("tasks", nargs="+", metavar="TASK", help="A3.2, or A3 for all that begin so")
+    parser.add_argument("--student", default="nobody", metavar="ID", help="whose numbers the tasks C and D have")
+    parser.add_argument("--hidden", type=int, default=1, metavar="SEED", help="other random numbers in the checks")
+    parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="where results.json and junit.xml go")
+    parser.add_argument("--work", type=pathlib.Path, default=SOURCE / "build/assignments", metavar="DIR",
+                        help="where the project is built for the checks (default: %(default)s)")
+    options = parser.parse_args()
+    if not options.hand_in.is_dir():
+        raise tasks.TaskError(f"{options.hand_in} is not a directory")
+    chosen = tasks.select(options.tasks)
+    if not runs.sandbox():
+        print("grade.py: bubblewrap does not work here: the code of students runs with your rights, "
+              "and can read your files", file=sys.stderr)
+    with Workshop(options.work, chosen).locked() as workshop:
+        workshop.prepare()
+        found = grade(chosen, options.hand_in, options.student, options.hidden, workshop)
+    print(results.table(found))
+    if options.out:
+        write(found, options.out)
+    return 0 if all(r.state == PASSED for r in found) else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (tasks.TaskError, functions.CodeError) as error:
+        print(f"grade.py: {error}", file=sys.stderr)
+        sys.exit(2)

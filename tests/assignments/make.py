@@ -1,0 +1,217 @@
+#!/usr/bin/env python3
+"""Writes a copy of the project in which the functions of some tasks are missing.
+
+    python3 tests/assignments/make.py A3.1 A3.2 --out DIR        two tasks
+    python3 tests/assignments/make.py A1 B1 C1 --student ada     all tasks A1.…, B1.…, and C1.… for one student
+
+DIR is complete: a student needs nothing else but the Debian packages of the project. It has the checks of the
+tasks, `check A3.1`, and a README. A task is refused if another file of the copy answers it.
+"""
+import argparse
+import json
+import pathlib
+import re
+import shutil
+import sys
+
+import functions
+import results
+import tasks
+from tasks import HERE, SOURCE, TaskError
+
+PROGRAMS = {1: "step01_explicit", 2: "step02_damping", 3: "step03_implicit", 4: "step04_cg", 5: "step05_bend"}
+STUDENT_FILES = {"helpers.h": "common/math/helpers.h", "not_written.h": "common/math/not_written.h",
+                 "checks.cmake": "tests/assignments/checks.cmake", "check": "check", "Containerfile": "Containerfile"}
+TOOLS = ["functions.py", "runs.py", "results.py", "check.py"]
+
+
+# The files of a copy -------------------------------------------------------------------------------
+
+def included(path, roots):
+    """The project's files that a file includes, directly or not."""
+    found, waiting = set(), [path]
+    while waiting:
+        for name in re.findall(r'^#include "([^"]+)"', waiting.pop().read_text(), re.MULTILINE):
+            for root in roots:
+                file = root / name
+                if file.exists() and file not in found:
+                    found.add(file)
+                    waiting.append(file)
+    return found
+
+
+def files_of(chosen):
+    """The files that the tasks need, as paths below SOURCE."""
+    files = {SOURCE / name for name in ("LICENSE", ".clang-format")}
+    files |= {f for f in (SOURCE / "common").rglob("*") if f.is_file() and "__pycache__" not in f.parts}
+    for step in {task.step for task in chosen}:
+        files |= {f for f in (SOURCE / PROGRAMS[step]).rglob("*") if f.is_file()}
+    checks = HERE / "checks"
+    for task in chosen:
+        if task.check:
+            files |= {checks / task.check} | included(checks / task.check, [SOURCE, SOURCE / "tests"])
+    files |= {checks / "main.cpp"} | included(checks / "main.cpp", [SOURCE / "tests"])
+    return sorted(f.relative_to(SOURCE) for f in files)
+
+
+# Answers that stand elsewhere ----------------------------------------------------------------------
+
+def telling_lines(body):
+    """The lines of a body that give an answer away, without spaces."""
+    lines = [functions.squeezed(line) for line in body.split("\n")]
+    return {line for line in lines if len(line) >= 24 and not line.startswith(("for(", "if(", "const auto"))}
+
+
+def without_answers(lesson, lines):
+    """A lesson whose blocks of code have … in place of telling lines."""
+    return "\n".join("…" if functions.squeezed(line) in lines else line for line in lesson.split("\n"))
+
+
+def refuse_answers(out, answers):
+    """answers: task → telling lines. Raises TaskError if a file of the copy has one of them."""
+    for path in sorted(out.rglob("*")):
+        if path.suffix not in (".h", ".cpp", ".md", ".py", ".toml", ".json") or not path.is_file():
+            continue
+        for number, line in enumerate(path.read_text().split("\n"), 1):
+            for task, lines in answers.items():
+                if functions.squeezed(line) in lines:
+                    raise TaskError(f"{task} is answered by {path.relative_to(out)}, line {number}: {line.strip()}\n"
+                                    "Hand out tasks of one step together, or only one of the two tasks.")
+
+
+# The copy ------------------------------------------------------------------------------------------
+
+def numbers_header(task, student):
+    """The numbers of one student, as a header."""
+    lines = [f"inline constexpr double {name} = {value!r};" for name, value in task.numbers(student).items()]
+    return "// The numbers of one student.\n#pragma once\n\n" + "\n".join(lines) + "\n"
+
+
+def add_term(cloth_h, task):
+    """math/cloth.h, with the invented term at the end of its list: all steps then have it."""
+    text, count = re.subn(rf"(using {task.list} =\s*Family<[^;]*)>;", rf"\1, {task.term}>;", cloth_h)
+    if count != 1:
+        raise TaskError(f"tasks/{task.id}.toml: math/cloth.h has no list {task.list}")
+    return text.replace('#include "math/triangle.h"', f'#include "math/triangle.h"\n#include "{task.file}"', 1)
+
+
+def add_invention(task, out, student):
+    (out / task.file).parent.mkdir(exist_ok=True)
+    shutil.copy2(task.source, out / task.file)
+    if task.given:
+        (out / task.numbers_file).write_text(numbers_header(task, student))
+    if task.term:
+        cloth = out / "common/math/cloth.h"
+        cloth.write_text(add_term(cloth.read_text(), task))
+
+
+def fill(name, out, **values):
+    """A file of student/ with {{name}} replaced by a value."""
+    text = (HERE / "student" / name).read_text()
+    for key, value in values.items():
+        text = text.replace("{{" + key + "}}", value)
+    (out / name).write_text(text)
+
+
+def copy(chosen, out, hand_out=True, student="nobody"):
+    """Writes the copy. With hand_out=False the bodies stay: this is what the grader builds."""
+    copy_files(chosen, out)
+    for task in chosen:
+        if task.kind == "invent":
+            add_invention(task, out, student)
+    if hand_out:
+        answers = {task.id: take_bodies(task, out) for task in chosen}
+        take_quotes(out, set().union(*answers.values()))
+        refuse_answers(out, answers)
+    write_tasks(chosen, out, student)
+
+
+def copy_files(chosen, out):
+    pairs = [(SOURCE / path, path) for path in files_of(chosen)]
+    pairs += [(HERE / name, f"tests/assignments/{name}") for name in TOOLS]
+    pairs += [(HERE / "student" / name, place) for name, place in STUDENT_FILES.items()]
+    for source, place in pairs:
+        (out / place).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(source, out / place)
+    types = out / "common/math/types.h"
+    types.write_text(types.read_text() + '\n#include "math/helpers.h"\n#include "math/not_written.h"\n')
+
+
+def take_bodies(task, out):
+    """Puts what is handed out in place of the bodies. Returns the telling lines that this takes away."""
+    taken = set()
+    if task.kind == "invent":
+        return taken
+    for function in task.functions:
+        text = (out / task.file).read_text()
+        body = functions.body(text, function, task.file)
+        given = task.given_body(body, function)
+        (out / task.file).write_text(functions.with_body(text, function, given, task.file))
+        taken |= telling_lines(body) - telling_lines(given)
+    return taken
+
+
+def take_quotes(out, lines):
+    for lesson in out.glob("step0*/README.md"):
+        lesson.write_text(without_answers(lesson.read_text(), lines))
+
+
+def write_tasks(chosen, out, student):
+    """The files of the copy that name the tasks: tasks.json, CMakeLists.txt and README.md."""
+    public = [public_part(task, out) for task in chosen]
+    (out / "tests/assignments/tasks.json").write_text(json.dumps(public, indent=1, ensure_ascii=False) + "\n")
+    steps = sorted({PROGRAMS[task.step] for task in chosen})
+    checks = [" ".join([task.id, task.check, *task.libraries]) for task in chosen if task.check]
+    fill("CMakeLists.txt", out, steps="\n".join(f"add_subdirectory({step} EXCLUDE_FROM_ALL)" for step in steps),
+         checks="\n".join(f"check({check})" for check in checks))
+    fill("README.md", out, first=chosen[0].id, points=str(sum(task.points for task in chosen)),
+         tasks="\n".join(section(task, student) for task in chosen))
+
+
+def public_part(task, out):
+    """What the copy tells of a task: nothing of its answer. `given`: the bodies that were handed out."""
+    text = (out / task.file).read_text() if task.file else ""
+    given = [results.fingerprint(functions.body(text, name, task.file)) for name in task.functions]
+    return {"id": task.id, "kind": task.kind, "title": task.title, "points": task.points, "file": task.file,
+            "functions": task.functions, "lesson": task.lesson, "hint": task.hint, "given": given}
+
+
+def section(task, student):
+    """The task in the README of the copy."""
+    ask = {"write": "Write `{f}` in [{file}]({file}).", "invent": "{q}\n\nWrite `{f}` in [{file}]({file}).",
+           "mend": "`{f}` in [{file}]({file}) has a mistake. Find it and mend it.", "measure": "{q}"}[task.kind]
+    names = "`, `".join(re.sub(r"\(.*", "", f) for f in task.functions)
+    question = task.question.strip().format(**task.numbers(student)) if task.question else ""
+    return (f"### {task.id} · {task.title} ({task.points} points, about {task.minutes} minutes)\n\n"
+            + ask.format(f=names, file=task.file, q=question)
+            + f" The lesson: [{task.lesson}]({task.lesson}).\n\n"
+            f"<details><summary>A hint</summary>\n\n{task.hint}\n\n</details>\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0],
+                                     epilog="Tasks: " + ", ".join(tasks.load_all()))
+    parser.add_argument("tasks", nargs="+", metavar="TASK", help="A3.2, or A3 for all that begin so")
+    parser.add_argument("--out", type=pathlib.Path, required=True, metavar="DIR", help="a new directory")
+    parser.add_argument("--student", default="nobody", metavar="ID",
+                        help="chooses the numbers of the tasks C and D")
+    options = parser.parse_args()
+    if options.out.exists() and any(options.out.iterdir()):
+        raise TaskError(f"{options.out} is not empty; --out needs a new directory")
+    unfinished = options.out.with_name(options.out.name + ".unfinished")
+    shutil.rmtree(unfinished, ignore_errors=True)
+    try:
+        chosen = tasks.select(options.tasks)
+        copy(chosen, unfinished, student=options.student)
+        unfinished.rename(options.out)
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
+    print(f"{options.out}: {len(chosen)} tasks, {sum(t.points for t in chosen)} points. Its README says how to begin.")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (TaskError, functions.CodeError) as error:
+        print(f"make.py: {error}", file=sys.stderr)
+        sys.exit(2)
