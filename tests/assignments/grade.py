@@ -109,13 +109,13 @@ class Workshop:
         self.run("cmake", "-S", self.directory / "copy", "-B", self.build, "-G", "Ninja",
                  "-DCMAKE_BUILD_TYPE=Release", f"-DHAND_IN={self.hand_in}")
 
-    def run(self, *command):
+    def run(self, *command, seconds=COMPILE_SECONDS):
         """The output if the command failed, else nothing."""
         try:
             done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                  errors="replace", timeout=COMPILE_SECONDS)
+                                  errors="replace", timeout=seconds)
         except subprocess.TimeoutExpired:
-            return f"error: the compiler was still busy after {COMPILE_SECONDS} seconds"
+            return f"error: the compiler was still busy after {seconds} seconds"
         return done.stdout if done.returncode else ""
 
     def place(self, task, changed):
@@ -127,8 +127,13 @@ class Workshop:
             path.write_text(text)
         (self.directory / "copy/tests/assignments/checks" / task.check).touch()
 
-    def check(self, task, changed, seed):
-        self.place(task, changed)
+    def build_together(self, placed):
+        """Builds the checks of several tasks at once, which takes less time. What fails is built again by check()."""
+        if placed:
+            self.run("cmake", "--build", self.build, "--target", *(task.target for task in placed), "--", "-k", "0",
+                     seconds=COMPILE_SECONDS * len(placed))
+
+    def check(self, task, seed):
         if output := self.run("cmake", "--build", self.build, "--target", task.target):
             return Ending(FAILED, "It does not compile: " + shown_error(output, self.directory))
         return runs.run_check(self.build / "checks" / task.target, seed)
@@ -176,25 +181,34 @@ def changed_files(task, bodies, helpers, student):
     return changed
 
 
-def grade_code(task, hand_in, student, seed, workshop):
-    """A task whose answer is code."""
+def code_of(task, hand_in, student):
+    """What is known without a check, or else the files in which the student's code stands."""
     try:
         bodies = handed_bodies(task, hand_in)
         if is_given(task, bodies):
             return Ending(UNWRITTEN, results.KINDS[task.kind])
         if task.kind != "invent" and is_project(task, bodies):
             return Ending(PASSED)
-        changed = changed_files(task, bodies, handed_helpers(hand_in), student)
+        return changed_files(task, bodies, handed_helpers(hand_in), student)
     except Refused as error:
         return Ending(FAILED, str(error))
-    return workshop.check(task, changed, seed)
+
+
+def grade_codes(chosen, hand_in, student, seed, workshop):
+    """How each task ended whose answer is code."""
+    endings = {task.id: code_of(task, hand_in, student) for task in chosen}
+    placed = [task for task in chosen if not isinstance(endings[task.id], Ending)]
+    for task in placed:
+        workshop.place(task, endings[task.id])
+    workshop.build_together(placed)
+    for task in placed:
+        endings[task.id] = workshop.check(task, seed)
+    return endings
 
 
 def grade(chosen, hand_in, student, seed, workshop):
-    found = []
-    for task in chosen:
-        found.append(results.result(task, grade_code(task, hand_in, student, seed, workshop)))
-    return found
+    endings = grade_codes([task for task in chosen if task.check], hand_in, student, seed, workshop)
+    return [results.result(task, endings[task.id]) for task in chosen]
 
 
 def write(found, out):

@@ -12,6 +12,7 @@ import json
 import pathlib
 import re
 import shutil
+import subprocess
 import sys
 
 import functions
@@ -22,6 +23,7 @@ from tasks import HERE, SOURCE, TaskError
 PROGRAMS = {1: "step01_explicit", 2: "step02_damping", 3: "step03_implicit", 4: "step04_cg", 5: "step05_bend"}
 STUDENT_FILES = {"helpers.h": "common/math/helpers.h", "not_written.h": "common/math/not_written.h",
                  "checks.cmake": "tests/assignments/checks.cmake", "check": "check", "Containerfile": "Containerfile"}
+FILM = ["--size", "640x360", "--export", "obj"]  # of the run that a student compares with
 TOOLS = ["functions.py", "runs.py", "results.py", "check.py"]
 
 
@@ -51,7 +53,16 @@ def files_of(chosen):
         if task.check:
             files |= {checks / task.check} | included(checks / task.check, [SOURCE, SOURCE / "tests"])
     files |= {checks / "main.cpp"} | included(checks / "main.cpp", [SOURCE / "tests"])
+    files |= files_of_compare_runs()
     return sorted(f.relative_to(SOURCE) for f in files)
+
+
+def files_of_compare_runs():
+    frames = SOURCE / "tests/frames"
+    listed = frames / "compare_runs.cmake"
+    sources = {frames / name for name in re.findall(r"\$\{here\}/(\w+\.cpp)", listed.read_text())}
+    headers = set().union(*(included(source, [frames, SOURCE / "tests"]) for source in sources))
+    return {listed} | sources | headers | {f for f in (frames / "page").rglob("*") if f.is_file()}
 
 
 # Answers that stand elsewhere ----------------------------------------------------------------------
@@ -105,12 +116,28 @@ def add_invention(task, out, student):
         cloth.write_text(add_term(cloth.read_text(), task))
 
 
-def fill(name, out, **values):
-    """A file of student/ with {{name}} replaced by a value."""
+def add_reference(chosen, out, programs):
+    """reference/STEP: the films of the project, if its programs are built. Returns the steps that have none."""
+    missing = []
+    for step in sorted({PROGRAMS[task.step] for task in chosen}):
+        program = programs / step / step
+        if program.exists():
+            subprocess.run([program, "--out", out / "reference" / step, *FILM], check=True, stdout=subprocess.DEVNULL)
+        else:
+            missing.append(step)
+    return missing
+
+
+def fill_text(name, **values):
+    """The text of a file of student/, with {{name}} replaced by a value."""
     text = (HERE / "student" / name).read_text()
     for key, value in values.items():
         text = text.replace("{{" + key + "}}", value)
-    (out / name).write_text(text)
+    return text
+
+
+def fill(name, out, **values):
+    (out / name).write_text(fill_text(name, **values))
 
 
 def copy(chosen, out, hand_out=True, student="nobody"):
@@ -164,8 +191,15 @@ def write_tasks(chosen, out, student):
     checks = [" ".join([task.id, task.check, *task.libraries]) for task in chosen if task.check]
     fill("CMakeLists.txt", out, steps="\n".join(f"add_subdirectory({step} EXCLUDE_FROM_ALL)" for step in steps),
          checks="\n".join(f"check({check})" for check in checks))
-    fill("README.md", out, first=chosen[0].id, points=str(sum(task.points for task in chosen)),
+    measured = any(task.kind == "measure" for task in chosen)
+    fill("README.md", out, first=chosen[0].id, points=str(sum(task.points for task in chosen)), count=str(len(chosen)),
+         answers=" and answers.toml" if measured else "", see="\n".join(see(step) for step in steps),
          tasks="\n".join(section(task, student) for task in chosen))
+
+
+def see(step):
+    """How a student sees the program of a step, and compares it with the project's."""
+    return fill_text("see.md", step=step, film=" ".join(FILM))
 
 
 def public_part(task, out):
@@ -195,17 +229,28 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True, metavar="DIR", help="a new directory")
     parser.add_argument("--student", default="nobody", metavar="ID",
                         help="chooses the numbers of the tasks C and D")
+    parser.add_argument("--with-reference", nargs="+", default=[], metavar="TASK",
+                        help="these tasks are not asked for: their functions are the project's")
+    parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build/release", metavar="DIR",
+                        help="where the project is built; its programs make the reference films (default: %(default)s)")
     options = parser.parse_args()
     if options.out.exists() and any(options.out.iterdir()):
         raise TaskError(f"{options.out} is not empty; --out needs a new directory")
     unfinished = options.out.with_name(options.out.name + ".unfinished")
     shutil.rmtree(unfinished, ignore_errors=True)
     try:
-        chosen = tasks.select(options.tasks)
+        known = [task.id for task in tasks.select(options.with_reference)]
+        chosen = [task for task in tasks.select(options.tasks) if task.id not in known]
+        if not chosen:
+            raise TaskError("no task is left: --with-reference names all of them")
         copy(chosen, unfinished, student=options.student)
+        missing = add_reference(chosen, unfinished, options.build)
         unfinished.rename(options.out)
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
+    for step in missing:
+        print(f"{options.out} has no reference film of {step}: build it first with "
+              "cmake --preset release && cmake --build --preset release --target " + step)
     print(f"{options.out}: {len(chosen)} tasks, {sum(t.points for t in chosen)} points. Its README says how to begin.")
 
 

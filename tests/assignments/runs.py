@@ -41,37 +41,32 @@ def sandbox():
     return words if works else []
 
 
-def limit():
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
-    resource.setrlimit(resource.RLIMIT_AS, (MEGABYTES * 2**20,) * 2)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (OUTPUT,) * 2)
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+def limits(seconds):
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        resource.setrlimit(resource.RLIMIT_AS, (MEGABYTES * 2**20,) * 2)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (OUTPUT,) * 2)
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    return limit
 
 
-def run_check(program, seed=1):
-    """Runs the checks that `program` has."""
-    word = secrets.token_hex(16)
-    with tempfile.TemporaryDirectory() as place:
-        directory = pathlib.Path(place) / "run"
-        directory.mkdir()
-        output = pathlib.Path(place) / "output"
-        shutil.copy2(program, directory / "checks")
-        command = ["./checks", "--gtest_output=xml:report.xml"]
-        if sandbox():
-            command = [*sandbox(), "--bind", str(directory), "/run", "--chdir", "/run", *command]
-        with open(output, "wb") as sink:
-            process = subprocess.Popen(command, cwd=directory, stdin=subprocess.PIPE, stdout=sink,
-                                       stderr=subprocess.STDOUT, start_new_session=True, preexec_fn=limit,
-                                       env={"CHECK_SEED": str(seed), "PATH": "/usr/bin"})
-            try:
-                process.communicate((word + "\n").encode(), timeout=SECONDS)
-                late = False
-            except subprocess.TimeoutExpired:
-                late = True
-            except BrokenPipeError:
-                late = False
-            kill(process)
-        return ending(process.returncode, late, output, directory / "report.xml", word)
+def run_apart(command, directory, output, seconds, words="", variables=None):
+    """Runs a command that is given its words on standard input. Returns (exit code, whether it took too long)."""
+    if sandbox():
+        command = [*sandbox(), "--bind", str(directory), "/run", "--chdir", "/run", *command]
+    late = False
+    with open(output, "wb") as sink:
+        process = subprocess.Popen(command, cwd=directory, stdin=subprocess.PIPE, stdout=sink,
+                                   stderr=subprocess.STDOUT, start_new_session=True, preexec_fn=limits(seconds),
+                                   env={"PATH": "/usr/bin", **(variables or {})})
+        try:
+            process.communicate(words.encode(), timeout=seconds)
+        except subprocess.TimeoutExpired:
+            late = True
+        except BrokenPipeError:
+            pass
+        kill(process)
+    return process.returncode, late
 
 
 def kill(process):
@@ -80,6 +75,18 @@ def kill(process):
     except ProcessLookupError:
         pass
     process.wait()
+
+
+def run_check(program, seed=1):
+    """Runs the checks that `program` has."""
+    word = secrets.token_hex(16)
+    with tempfile.TemporaryDirectory() as place:
+        directory, output = pathlib.Path(place) / "run", pathlib.Path(place) / "output"
+        directory.mkdir()
+        shutil.copy2(program, directory / "checks")
+        code, late = run_apart(["./checks", "--gtest_output=xml:report.xml"], directory, output, SECONDS, word + "\n",
+                               {"CHECK_SEED": str(seed)})
+        return ending(code, late, output, directory / "report.xml", word)
 
 
 def ending(code, late, output, report, word):

@@ -1,0 +1,315 @@
+#!/usr/bin/env python3
+"""Tests of the assignments: what is handed out, and how hand-ins are graded.
+
+    python3 tests/assignments/assignments_test.py [--full] [unittest's options]
+
+--full: both mistakes of every task, and the build of every copy, some ten minutes.
+"""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import functions
+import grade
+import make
+import results
+import runs
+import tasks
+from runs import FAILED, PASSED, UNWRITTEN
+from tasks import HERE, SOURCE
+
+FULL = "--full" in sys.argv
+WORK = pathlib.Path(os.environ.get("ASSIGNMENTS_WORK", SOURCE / "build/assignments_test"))
+EVERY = tasks.load_all()
+CODE = [task for task in EVERY.values() if task.kind in ("write", "mend")]
+GROUPS = sorted({task.id[:2] for task in EVERY.values()})  # A1, A2, …: what is handed out together
+
+
+def reference(task):
+    """The bodies of the project."""
+    return [functions.body(task.source.read_text(), name) for name in task.functions]
+
+
+def changed(task, bodies, helpers=""):
+    return grade.changed_files(task, bodies, helpers, "nobody")
+
+
+def mistaken(task, change):
+    """The bodies with a typical mistake: in the one that has the text."""
+    bodies = [b.replace(change["cut"], change["with"]) if change["cut"] in b else b for b in reference(task)]
+    assert bodies != reference(task), f"{task.id}: no body has {change['cut']}"
+    return bodies
+
+
+class Hands(unittest.TestCase):
+    """Copies and hand-ins in a directory of their own."""
+
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.place = pathlib.Path(place.name)
+
+    def copy(self, *names):
+        out = self.place / "-".join(names)
+        make.copy(tasks.select(names), out)
+        return out
+
+    def write_body(self, copy, id, body):
+        task = EVERY[id]
+        file = copy / task.file
+        file.write_text(functions.with_body(file.read_text(), task.functions[0], body))
+
+
+class TasksAreComplete(unittest.TestCase):
+    def test_there_are_four_kinds_over_all_steps(self):
+        self.assertGreaterEqual(len(EVERY), 16)
+        self.assertEqual({task.kind for task in EVERY.values()}, set(results.KINDS))
+        self.assertEqual({task.step for task in EVERY.values()}, {1, 2, 3, 4, 5})
+
+    # The code of the project is public: it is no answer to what is measured and invented.
+    def test_the_code_answers_at_most_half_of_the_tasks(self):
+        self.assertLessEqual(2 * len(CODE), len(EVERY))
+
+    def test_each_task_says_what_it_must(self):
+        letters = {"write": "A", "mend": "B", "measure": "C", "invent": "D"}
+        for task in EVERY.values():
+            with self.subTest(task.id):
+                self.assertRegex(task.id, rf"^{letters[task.kind]}[1-5]\.\d$")
+                self.assertTrue(task.points > 0 and task.minutes > 0 and task.title and task.hint)
+                if task.check:
+                    self.assertTrue((HERE / "checks" / task.check).exists())
+                if task.kind == "write":
+                    self.assertGreaterEqual(len(task.mistakes), 2)
+
+    def test_the_sections_of_the_lessons_exist(self):
+        for task in EVERY.values():
+            file, _, anchor = task.lesson.partition("#")
+            headings = re.findall(r"^#+ (.*)$", (SOURCE / file).read_text(), re.MULTILINE)
+            anchors = [re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in headings]
+            self.assertIn(anchor, anchors, task.id)
+
+    def test_each_mistake_is_a_change_of_one_place(self):
+        for task in CODE:
+            for change in task.mistakes + [c for c in [task.planted] if c]:
+                places = sum(body.count(change["cut"]) for body in reference(task))
+                self.assertEqual(places, 1, f"{task.id}: {change['cut']}")
+
+
+class CopiesHaveNoAnswers(Hands):
+    def test_no_copy_has_a_telling_line(self):
+        for group in GROUPS:
+            with self.subTest(group):
+                copy = self.copy(group)
+                lines = set()
+                for task in tasks.select([group]):
+                    if task.kind == "write":
+                        lines |= set().union(*(make.telling_lines(body) for body in reference(task)))
+                text = {functions.squeezed(line) for f in copy.rglob("*") if f.suffix in (".h", ".cpp", ".md", ".py")
+                        for line in f.read_text().split("\n")}
+                self.assertEqual(lines & text, set())
+
+    def test_the_formulas_stay(self):
+        self.assertIn("∂C/∂w = √a n", (self.copy("A1") / "common/math/triangle.h").read_text())
+
+    def test_a_copy_that_answers_its_task_is_refused(self):
+        with self.assertRaisesRegex(tasks.TaskError, r"A2.1 is answered by step03_implicit/time_step.h, line \d+"):
+            self.copy("A2.1", "A3.1")
+
+    def test_an_unknown_task_is_refused(self):
+        with self.assertRaisesRegex(tasks.TaskError, "there is no task A9; there are A1.1, "):
+            tasks.select(["A9"])
+
+    def test_nothing_is_written_into_a_directory_with_files(self):
+        done = subprocess.run([sys.executable, HERE / "make.py", "A1", "--out", HERE], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("is not empty", done.stderr)
+
+    # The copy sees it without a build, and so does the grader.
+    def test_a_fresh_copy_has_no_points(self):
+        for group in GROUPS:
+            with self.subTest(group):
+                copy = self.copy(group)
+                chosen = [task for task in tasks.select([group]) if task.check]
+                if not chosen:
+                    continue
+                endings = [grade.code_of(task, copy, "nobody") for task in chosen]
+                self.assertEqual([e.state for e in endings], [UNWRITTEN] * len(chosen))
+                done = subprocess.run([copy / "check", *(t.id for t in chosen)], capture_output=True, text=True)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn(f"total    0 of {sum(t.points for t in chosen)} points", done.stdout)
+                self.assertFalse((copy / "build").exists())
+
+    @unittest.skipUnless(FULL, "--full")
+    def test_a_fresh_copy_builds(self):
+        for group in GROUPS:
+            with self.subTest(group):
+                copy = self.copy(group)
+                for command in (["cmake", "-S", copy, "-B", copy / "build", "-G", "Ninja"],
+                                ["cmake", "--build", copy / "build"]):
+                    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                    self.assertEqual(done.returncode, 0, done.stdout)
+                    self.assertNotIn("warning:", done.stdout)
+
+
+class Graded(Hands):
+    """Hand-ins that are built."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.lock = grade.Workshop(WORK, list(EVERY.values())).locked()
+        cls.workshop = cls.lock.__enter__()
+        cls.addClassCleanup(cls.lock.__exit__, None, None, None)
+        cls.workshop.prepare()
+
+    def endings(self, attempts):
+        """attempts: (task, bodies), each task once. The checks of all are built together."""
+        for task, bodies in attempts:
+            self.workshop.place(task, changed(task, bodies))
+        self.workshop.build_together([task for task, _ in attempts])
+        return {task.id: self.workshop.check(task, 1) for task, _ in attempts}
+
+    def check(self, id, body, helpers="", seed=1):
+        self.workshop.place(EVERY[id], changed(EVERY[id], [body], helpers))
+        return self.workshop.check(EVERY[id], seed)
+
+
+class TheProjectPasses(Graded):
+    def test_every_check(self):
+        found = self.endings([(task, reference(task)) for task in CODE])
+        self.assertEqual({id: (e.state, e.message) for id, e in found.items()}, {id: (PASSED, "") for id in found})
+
+    def test_the_hidden_checks(self):
+        for task in CODE[:4]:
+            for seed in (2, 3):
+                self.assertEqual(runs.run_check(self.workshop.build / "checks" / task.target, seed).state, PASSED)
+
+
+class MistakesFail(Graded):
+    def attempt(self, choose):
+        attempts = [(task, mistaken(task, choose(task))) for task in CODE if choose(task)]
+        found = self.endings(attempts)
+        self.assertEqual({id: e.state for id, e in found.items()}, {id: FAILED for id in found})
+        for id, ending in found.items():
+            self.assertRegex(ending.message, "expected|Expected|not", id)
+            self.assertNotIn("compile", ending.message, id)
+
+    def test_a_typical_one(self):
+        self.attempt(lambda task: task.planted or task.mistakes[0])
+
+    @unittest.skipUnless(FULL, "--full")
+    def test_another_typical_one(self):
+        self.attempt(lambda task: task.mistakes[1] if task.mistakes else None)
+
+
+# Each has the checks of A3.3, and all other tasks as they are.
+class BadHandInsCostOnlyTheirTask(Graded):
+    ATTACKS = {
+        "crash": ("*static_cast<volatile int*>(nullptr) = 1; return T;", "crashed"),
+        "hang": ("for (volatile int i = 0;; i = i + 1) {} return T;", "did not end within"),
+        "exit": ("std::exit(0); return T;", "ended before it was done"),
+        "noise": ("for (;;) std::puts(\"[  PASSED  ] 4 tests. passed passed passed\"); return T;", "10 MB|within|before"),
+        "memory": ("std::vector<char> v(std::size_t(1) << 40, 1); return T * v[7];", "bad_alloc|memory|ended"),
+        "recursion": ("return positive_part(Square<2>(T + Square<2>::Ones()));", "crashed"),
+        "forged report": ("std::FILE* f = std::fopen(\"report.xml\", \"w\"); std::fputs(\"<testsuites tests='4'/>\", f); "
+                          "std::fclose(f); std::_Exit(0); return T;", "ended before it was done"),
+        "not C++": ("return T +;", "does not compile: .*tension.h.*error"),
+    }
+
+    def setUp(self):
+        super().setUp()
+        self.seconds, runs.SECONDS = runs.SECONDS, 4
+        self.addCleanup(lambda: setattr(runs, "SECONDS", self.seconds))
+
+    def test_programs_that_end_badly(self):
+        helpers = "#pragma once\n#include <cstdio>\n#include <cstdlib>\n#include <vector>\n"
+        for name, (body, words) in self.ATTACKS.items():
+            with self.subTest(name):
+                ending = self.check("A3.3", body, helpers)
+                self.assertEqual(ending.state, FAILED)
+                self.assertRegex(ending.message, words)
+
+    @unittest.skipUnless(runs.sandbox(), "bubblewrap does not work here")
+    def test_no_source_can_be_read(self):
+        secret = WORK / "copy/common/math/tension.h"
+        body = f'if (std::FILE* f = std::fopen("{secret}", "r")) std::abort(); return T;'
+        ending = self.check("A3.3", body, "#pragma once\n#include <cstdio>\n#include <cstdlib>\n")
+        self.assertIn("expected", ending.message)  # wrong, but it ended
+
+    def test_what_is_not_taken(self):
+        copy = self.copy("A3")
+        for body, words in (('\n#include "/etc/passwd"\n return T;', "line 2: a line that begins with # is not taken"),
+                            ("\n%:include <x>\n", "a line that begins with #"),
+                            ("/* */ # define x\n", "a line that begins with #"),
+                            ('asm(".incbin \\"/etc/passwd\\""); return T;', "the word asm is not taken")):
+            self.write_body(copy, "A3.3", body)
+            ending = grade.code_of(EVERY["A3.3"], copy, "nobody")
+            self.assertEqual(ending.state, FAILED)
+            self.assertIn(words, ending.message)
+        self.assertEqual(grade.code_of(EVERY["A3.1"], copy, "nobody").state, UNWRITTEN)
+
+    def test_a_function_that_was_removed(self):
+        copy = self.copy("A3")
+        file = copy / "common/math/tension.h"
+        file.write_text(file.read_text().replace("positive_part(const Square<2>", "other(const Square<2>"))
+        self.assertIn("has no function positive_part", grade.code_of(EVERY["A3.3"], copy, "nobody").message)
+        file.unlink()
+        self.assertIn("no readable common/math/tension.h", grade.code_of(EVERY["A3.3"], copy, "nobody").message)
+
+    # The grader takes named bodies and helpers.h: a changed check or header of the copy counts for nothing.
+    def test_other_files_are_not_taken(self):
+        copy = self.copy("A3")
+        for file in copy.rglob("*.cpp"):
+            file.write_text("int main() { return 0; }")
+        (copy / "common/math/types.h").write_text("#error changed")
+        self.write_body(copy, "A3.3", reference(EVERY["A3.3"])[0] + " // mine\n")
+        self.assertEqual(grade.code_of(EVERY["A3.3"], copy, "nobody").state, PASSED)
+
+    def test_a_helper_is_taken(self):
+        copy = self.copy("A3")
+        helpers = copy / "common/math/helpers.h"
+        helpers.write_text(helpers.read_text() + "inline double larger(double a, double b) { return a > b ? a : b; }\n")
+        self.write_body(copy, "A3.3", reference(EVERY["A3.3"])[0].replace("std::max(mean - r, 0.0)", "larger(mean - r, 0)"))
+        found = grade.grade([EVERY["A3.3"], EVERY["A3.1"]], copy, "nobody", 1, self.workshop)
+        self.assertEqual([(r.state, r.score) for r in found], [(PASSED, 6), (UNWRITTEN, 0)])
+
+
+class ResultsAreWritten(Hands):
+    def found(self):
+        report = ElementTree.fromstring('<testsuites tests="1"><testsuite><testcase name="A" classname="B"><failure '
+                                        'message="x.cpp:1&#10;Failed&#10;f: expected 1, got 2"/></testcase></testsuite></testsuites>')
+        return [results.Result("A1.1", "one", 4, "L.md#a", PASSED),
+                results.Result("A1.2", "two", 5, "L.md#b", FAILED, "f: expected 1, got 2", report),
+                results.Result("A1.3", "three", 6, "L.md#c", UNWRITTEN, "not written yet")]
+
+    def test_gradescope(self):
+        tests = json.loads(results.gradescope(self.found()))["tests"]
+        self.assertEqual([(t["number"], t["score"], t["max_score"]) for t in tests],
+                         [("A1.1", 4, 4), ("A1.2", 0, 5), ("A1.3", 0, 6)])
+        self.assertEqual(tests[1]["output"], "f: expected 1, got 2\nRead again: L.md#b")
+
+    def test_junit(self):
+        suites = ElementTree.fromstring(results.junit(self.found()).encode())
+        self.assertEqual([s.get("failures") + s.get("skipped") for s in suites], ["00", "10", "01"])
+        self.assertEqual(suites[1].find(".//property[@name='points']").get("value"), "5")
+        self.assertIn("expected 1, got 2", suites[1].find(".//failure").get("message"))
+        names = [(c.get("classname"), c.get("name")) for c in suites.iter("testcase")]
+        self.assertEqual(len(names), len(set(names)))
+
+    def test_table(self):
+        table = results.table(self.found())
+        self.assertIn("total    4 of 15 points", table)
+        self.assertIn("Read again: L.md#b", table)
+
+    def test_an_exit_code_per_task(self):
+        grade.write(self.found(), self.place / "out")
+        self.assertEqual([(self.place / "out" / f"A1.{i}.exit").read_text() for i in (1, 2, 3)], ["0\n", "1\n", "1\n"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[arg for arg in sys.argv if arg != "--full"])
