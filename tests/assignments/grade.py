@@ -17,6 +17,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 import functions
 import make
@@ -211,6 +212,64 @@ def grade(chosen, hand_in, student, seed, workshop):
     return [results.result(task, endings[task.id]) for task in chosen]
 
 
+# Films ---------------------------------------------------------------------------------------------
+
+FILM_SECONDS = 120
+
+
+def write_films(chosen, hand_in, work, programs, out):
+    """out/films/STEP/report.html: the film of the project and that of the student, with all bodies of the student
+    that are taken. Returns a sentence for each step that has no film."""
+    studio = Workshop(work / "films", chosen)
+    with studio.locked():
+        studio.prepare()
+        for task in chosen:
+            put_bodies(task, hand_in, studio.directory / "copy")
+        return [sentence for step in sorted({make.PROGRAMS[task.step] for task in chosen})
+                if (sentence := write_film(step, studio, programs, out / "films" / step))]
+
+
+def put_bodies(task, hand_in, copy):
+    """What is refused, or cannot be read, stays as the project has it."""
+    try:
+        bodies, helpers = handed_bodies(task, hand_in), handed_helpers(hand_in)
+    except Refused:
+        return
+    text = (copy / task.file).read_text()
+    for name, body in zip(task.functions, bodies):
+        text = functions.with_body(text, name, body, task.file)
+    (copy / task.file).write_text(text)
+    if helpers:
+        (copy / HELPERS).write_text(helpers)
+
+
+def write_film(step, studio, programs, out):
+    """A sentence if there is no film."""
+    compare, reference = programs / "tests/frames/compare_runs", programs / step / step
+    if not (compare.exists() and reference.exists()):
+        return f"No film of {step}: {programs} has no {step} and compare_runs. Build them first."
+    if output := studio.run("cmake", "--build", studio.build, "--target", step, seconds=10 * COMPILE_SECONDS):
+        return f"No film of {step}: it does not compile: {shown_error(output, studio.directory)}"
+    with tempfile.TemporaryDirectory() as place:
+        run = pathlib.Path(place) / "run"
+        run.mkdir()
+        shutil.copy2(studio.build / step / step, run / "program")
+        shutil.copy2(SOURCE / step / "scene.toml", run)
+        output = pathlib.Path(place) / "output"
+        code, late = runs.run_apart(["./program", "scene.toml", "--out", "yours", *make.FILM], run, output, FILM_SECONDS)
+        if code or late:
+            return f"No film of {step}: the run ended with exit code {code}: {runs.last_line(output)}"
+        subprocess.run([reference, "--out", run / "reference", *make.FILM], check=True, stdout=subprocess.DEVNULL)
+        out.mkdir(parents=True, exist_ok=True)
+        for name in ("reference", "yours"):
+            shutil.copytree(run / name, out / name, dirs_exist_ok=True)
+    subprocess.run([compare, out / "reference", out / "yours", "--html", out / "report.html"],
+                   stdout=subprocess.DEVNULL)
+    return ""
+
+
+# Results -------------------------------------------------------------------------------------------
+
 def write(found, out):
     out.mkdir(parents=True, exist_ok=True)
     (out / "results.json").write_text(results.gradescope(found))
@@ -228,7 +287,13 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="where results.json and junit.xml go")
     parser.add_argument("--work", type=pathlib.Path, default=SOURCE / "build/assignments", metavar="DIR",
                         help="where the project is built for the checks (default: %(default)s)")
+    parser.add_argument("--frames", action="store_true",
+                        help="write films of the student's programs beside the project's into --out")
+    parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build/release", metavar="DIR",
+                        help="where the project is built (default: %(default)s)")
     options = parser.parse_args()
+    if options.frames and not options.out:
+        raise tasks.TaskError("--frames needs --out DIR, where the films go")
     if not options.hand_in.is_dir():
         raise tasks.TaskError(f"{options.hand_in} is not a directory")
     chosen = tasks.select(options.tasks)
@@ -241,6 +306,9 @@ def main():
     print(results.table(found))
     if options.out:
         write(found, options.out)
+    if options.frames:
+        for sentence in write_films(chosen, options.hand_in, options.work, options.build, options.out):
+            print(sentence)
     return 0 if all(r.state == PASSED for r in found) else 1
 
 

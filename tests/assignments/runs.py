@@ -120,6 +120,11 @@ def sentence(message):
     return "\n".join(line for line in lines[1:] if line != "Failed").strip() or message
 
 
+def last_line(output):
+    lines = output.read_text(errors="replace").strip().split("\n")
+    return lines[-1]
+
+
 def first_error(output):
     """The first error of a compiler, without the rest of its explanations."""
     lines = output.split("\n")
