@@ -210,6 +210,13 @@ def public_part(task, out):
             "functions": task.functions, "lesson": task.lesson, "hint": task.hint, "given": given}
 
 
+def table_of_tasks():
+    kinds = {"write": "write", "mend": "find the mistake", "measure": "measure", "invent": "invent"}
+    lines = ["| task | kind | points | minutes | title |", "|---|---|---|---|---|"]
+    lines += [f"| {t.id} | {kinds[t.kind]} | {t.points} | {t.minutes} | {t.title} |" for t in tasks.load_all().values()]
+    return "\n".join(lines)
+
+
 def section(task, student):
     """The task in the README of the copy."""
     ask = {"write": "Write `{f}` in [{file}]({file}).", "invent": "{q}\n\nWrite `{f}` in [{file}]({file}).",
@@ -224,9 +231,10 @@ def section(task, student):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0],
-                                     epilog="Tasks: " + ", ".join(tasks.load_all()))
-    parser.add_argument("tasks", nargs="+", metavar="TASK", help="A3.2, or A3 for all that begin so")
-    parser.add_argument("--out", type=pathlib.Path, required=True, metavar="DIR", help="a new directory")
+                                     epilog="Tasks: " + ", ".join(tasks.load_all()) + ".")
+    parser.add_argument("tasks", nargs="*", metavar="TASK", help="A3.2, or A3 for all that begin so")
+    parser.add_argument("--list", action="store_true", help="print a table of all tasks")
+    parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="a new directory")
     parser.add_argument("--student", default="nobody", metavar="ID",
                         help="chooses the numbers of the tasks C and D")
     parser.add_argument("--with-reference", nargs="+", default=[], metavar="TASK",
@@ -234,6 +242,10 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build/release", metavar="DIR",
                         help="where the project is built; its programs make the reference films (default: %(default)s)")
     options = parser.parse_args()
+    if options.list:
+        return print(table_of_tasks())
+    if not (options.tasks and options.out):
+        raise TaskError("name the tasks and a new directory, as in A3.1 A3.2 --out DIR; --list lists the tasks")
     if options.out.exists() and any(options.out.iterdir()):
         raise TaskError(f"{options.out} is not empty; --out needs a new directory")
     unfinished = options.out.with_name(options.out.name + ".unfinished")
