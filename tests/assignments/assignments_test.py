@@ -157,6 +157,20 @@ class CopiesHaveNoAnswers(Hands):
                     self.assertNotIn("warning:", done.stdout)
 
 
+    @unittest.skipUnless(FULL, "--full")
+    def test_the_commands_of_its_readme_run(self):
+        copy = self.place / "copy"
+        make_it = [sys.executable, HERE / "make.py", "A4", "--with-reference", "A4.2", "--out", copy]
+        subprocess.run(make_it, check=True, stdout=subprocess.DEVNULL)
+        self.write_body(copy, "A4.1", reference(EVERY["A4.1"])[0])
+        blocks = re.findall(r"^```sh\n(.*?)^```$", (copy / "README.md").read_text(), re.MULTILINE | re.DOTALL)
+        self.assertEqual(len(blocks), 4)
+        for block in blocks:
+            done = subprocess.run(["bash", "-e", "-c", block], cwd=copy, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, block + done.stdout + done.stderr)
+        self.assertTrue((copy / "out/step04_cg/report.html").exists())
+
+
 class Graded(Hands):
     """Hand-ins that are built."""
 

@@ -129,7 +129,7 @@ def add_reference(chosen, out, programs):
 
 
 def fill_text(name, **values):
-    """The text of a file of student/, with {{name}} replaced by a value."""
+    """The text of a template of student/, with {{name}} replaced by a value."""
     text = (HERE / "student" / name).read_text()
     for key, value in values.items():
         text = text.replace("{{" + key + "}}", value)
@@ -137,7 +137,7 @@ def fill_text(name, **values):
 
 
 def fill(name, out, **values):
-    (out / name).write_text(fill_text(name, **values))
+    (out / name).write_text(fill_text(name + ".in", **values))
 
 
 def copy(chosen, out, hand_out=True, student="nobody"):
@@ -199,7 +199,7 @@ def write_tasks(chosen, out, student):
 
 def see(step):
     """How a student sees the program of a step, and compares it with the project's."""
-    return fill_text("see.md", step=step, film=" ".join(FILM))
+    return fill_text("see.md.in", step=step, film=" ".join(FILM))
 
 
 def public_part(task, out):
