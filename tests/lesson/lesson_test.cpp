@@ -1,5 +1,5 @@
 // What the lessons say about the code is true: differences between neighbours are small, functions that a
-// step does not teach are the same byte for byte, and names, links and pictures exist.
+// step does not teach are the same byte for byte, and names exist.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -128,18 +128,6 @@ std::vector<std::filesystem::path> documents() {
       if (entry.path().extension() == ".md") found.push_back(entry.path());
   for (const Step& step : steps()) found.push_back(source / step.name / "README.md");
   return found;
-}
-
-// Every picture that a document shows and every file that it links to is there.
-TEST(Lessons, LinksAndPicturesExist) {
-  const std::regex link("\\]\\(([^)# ]+)(#[^)]*)?\\)"), web("https?://.*");
-  for (const auto& document : documents()) {
-    const std::string text = read(document);
-    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it)
-      if (const std::string target = (*it)[1]; !std::regex_match(target, web)) {
-        EXPECT_TRUE(exists(document.parent_path() / target)) << document << ": " << target;
-      }
-  }
 }
 
 // Every file of the repository that a document names in `…` is there.
