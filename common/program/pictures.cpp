@@ -12,7 +12,8 @@
 
 namespace {
 
-constexpr int film_tiles = 12, film_columns = 4;
+constexpr int film_parts = 12;          // into which the film divides a run, at most
+constexpr int longest_row_of_film = 5;  // pictures
 constexpr Colour ink = {70, 78, 92};
 constexpr std::array frame_size = {640, 360};
 constexpr int longest_side_of_motion = 480;  // pixels
@@ -31,6 +32,10 @@ std::array<int, 2> motion_size(std::array<int, 2> size) {
   const double scale = std::min(1.0, double(longest_side_of_motion) / std::max(size[0], size[1]));
   for (int& side : size) side = std::max(1, int(std::lround(scale * side)));
   return size;
+}
+
+int rounded_up(int number, int divisor) {
+  return (number + divisor - 1) / divisor;
 }
 
 }  // namespace
@@ -71,14 +76,10 @@ PngText Pictures::about(double time) const {
           {"Time", text("%.6g s", time)}};
 }
 
-// The film shows the moments i/12 of the run, i = 1 … 12, or all frames where there are fewer, and
-// the last frame of a run that broke off.
+// The film shows frame 0 and then each s-th frame, with the smallest s that divides the run into at
+// most 12 parts. Whatever frame comes last is on it, too, and so is the end of a run that broke off.
 bool Pictures::on_film(int number) const {
-  const int frames = scene.time.frames;
-  if (frames < film_tiles) return true;
-  for (int tile = 1; tile <= film_tiles; ++tile)
-    if (number == int(std::lround(double(tile) * frames / film_tiles))) return true;
-  return false;
+  return number % rounded_up(scene.time.frames, film_parts) == 0;
 }
 
 void Pictures::frame(int number, const VecX& x, double time) {
@@ -99,8 +100,10 @@ void Pictures::still(const VecX& x, double time) {
 
 void Pictures::film() {
   if (strip.empty()) return;
-  const int columns = std::min(film_columns, int(strip.size()));
-  write_png(options.out / "film.png", film_strip(strip, columns), about(film_end));
+  const int pictures = int(strip.size());
+  const int rows = rounded_up(pictures, longest_row_of_film);
+  write_png(options.out / "film.png", film_strip(strip, rounded_up(pictures, rows)),
+            about(film_end));
   if (has_motion())
     write_png(options.out / "motion.png", encode_animation(motion->frames(), about(motion_end)));
 }

@@ -31,11 +31,47 @@ class FilmTest : public ProgramDirectory {
 
   ~FilmTest() override { setenv("PATH", path.c_str(), 1); }
 
+  // That film.png holds these frames in reading order, in rows of `columns`. Pictures of 80x45 are not reduced,
+  // and with --caption they have no time in their corner.
+  void expect_film_of(const std::vector<int>& frames, int columns) const {
+    const Image film = read_png(directory / "out/film.png");
+    const int width = 80 + 4, height = 45 + 4, count = int(frames.size());
+    ASSERT_EQ(film.width, columns * width);
+    ASSERT_EQ(film.height, (count + columns - 1) / columns * height);
+    Image expected = filled_image(film.width, film.height, {255, 255, 255});
+    for (int i = 0; i < count; ++i) {
+      char name[32];
+      std::snprintf(name, sizeof name, "out/frame_%04d.png", frames[size_t(i)]);
+      paste(read_png(directory / name), 2 + i % columns * width, 2 + i / columns * height,
+            expected);
+    }
+    EXPECT_TRUE(film.rgb == expected.rgb);
+  }
+
   const std::string two_frames = "--end 0.5 --frames 2 --motion --caption --size ";
   const std::string three_steps = "--end 0.0006 --frames 1 --motion --size ";
   const StepProgram program = program_called("step01_explicit");
   const std::string path = getenv("PATH");
 };
+
+// 26 frames have 13 parts of two frames, but 12 are the most: each third frame, and the last.
+TEST_F(FilmTest, FilmShowsFrame0ThenEvenMomentsAndTheLastFrame) {
+  EXPECT_EQ(run_square("--end 0.26 --frames 26 --caption --size 80x45").code, 0);
+  expect_film_of({0, 3, 6, 9, 12, 15, 18, 21, 24, 26}, 5);
+}
+
+TEST_F(FilmTest, FilmShowsTheStartAndAllTwelveFramesOfARun) {
+  EXPECT_EQ(run_square("--end 0.12 --caption --size 80x45").code, 0);
+  expect_film_of({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}, 5);
+}
+
+TEST_F(FilmTest, FilmEndsWithTheLastFrameBeforeAnExplosion) {
+  EXPECT_EQ(run_square("--h 0.002 --end 0.4 --frames 100 --caption --size 80x45").code, 1);
+  const int last = int(read_table(directory / "out/log.csv").at("frame").back());
+  ASSERT_GT(last, 9);
+  ASSERT_LT(last, 18);
+  expect_film_of({0, 9, last}, 3);
+}
 
 // Pictures at the moments i/24, and frames at i = 0, 12, 24. With --caption neither has the time in its corner.
 TEST_F(FilmTest, MotionHas24MomentsAfterTheStartAndShowsTheFrames) {
