@@ -17,20 +17,22 @@ bool every_step_failed(const Options& options, const Survey& s) {
 
 }  // namespace
 
-int explain(const Options& options, const Scene& scene, const Simulate& simulate) {
+int explain(const Options& options, const Scene& scene, const Simulate& simulate,
+            const TimeBudget& time) {
   const std::vector<Part> parts = parts_of(scene.cloth);
   print_scene(options, scene);
-  std::fflush(stdout);
-  const Survey s = survey(options, scene, parts, simulate);
+  const Trials trials(options, scene, parts, simulate, time);
+  print_duration(time, trials.forecast());
+  const Survey s = survey(trials);
   if (every_step_failed(options, s)) throw std::runtime_error(no_result(s.baseline.steps));
   print_costs(options, scene, parts, s);
   if (options.concepts.implicit)
-    print_implicit_limit(scene);
+    print_implicit_limit(scene, s.limit);
   else
-    print_explicit_limit(scene, parts, explicit_limit(scene, parts, simulate, options.method));
+    print_explicit_limit(scene, parts, s.limit);
   print_error(options, scene, s);
-  if (s.times.empty()) return 0;
-  if (!parts.empty()) print_left_out(parts, s);
-  print_advice(options, parts, s);
+  if (!s.times.empty() && !parts.empty()) print_left_out(parts, s);
+  if (!s.not_measured.empty()) print_not_measured(time, s);
+  if (!s.times.empty()) print_advice(options, parts, s);
   return 0;
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "explain/time_budget.h"
 #include "math/counters.h"
 #include "math/pattern.h"
 #include "program/options.h"
@@ -25,9 +26,10 @@ struct Simulation {
 };
 using Simulate = std::function<Simulation(const Cloth&, const Method&)>;
 
-// Prints the page and returns 0; writes nothing else. Throws std::invalid_argument for a method
-// that cannot solve this scene.
-int explain(const Options&, const Scene&, const Simulate&);
+// Prints the page and returns 0; writes nothing else. The page says at its start how long it will
+// take, and names what it did not measure because the time was over. Throws std::invalid_argument
+// for a method that cannot solve this scene.
+int explain(const Options&, const Scene&, const Simulate&, const TimeBudget& = TimeBudget(20));
 
 template <class... Lists>
 size_t bytes_in(const Lists&... lists) {

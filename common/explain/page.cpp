@@ -53,6 +53,14 @@ void print_scene(const Options& options, const Scene& scene) {
       describe_method(options));
 }
 
+void print_duration(const TimeBudget& time, double forecast) {
+  const bool is_enough = forecast <= time.length();
+  print_wrapped(
+      text("measuring takes about %.0f s", std::ceil(is_enough ? forecast : time.length())) +
+      (is_enough ? "" : text("; with all runs to the end it would take %.0f s", forecast)));
+  std::fflush(stdout);
+}
+
 // Costs -------------------------------------------------------------------------------------------
 
 namespace {
@@ -91,8 +99,8 @@ std::string describe_solve(const Options& options, const Survey& s) {
   const Method& method = options.method;
   if (!options.concepts.implicit) return "v += h M⁻¹ f, x += h v";
   if (options.concepts.direct) return method.solver + "; the bytes of its factor are not counted";
-  const long iterations = s.baseline.simulation.counters().iterations;
-  return text("%.1f iterations; ", double(iterations) / double(s.baseline.steps)) +
+  const long iterations = s.baseline.simulation.counters().iterations, steps = s.baseline.steps;
+  return (steps > 0 ? text("%.1f iterations; ", double(iterations) / double(steps)) : "") +
          method.preconditioner + "'s own bytes are not counted";
 }
 
@@ -161,7 +169,7 @@ void print_explicit_limit(const Scene& scene, const std::vector<Part>& parts, co
   std::vector<std::string> without;
   std::string strongest;
   double longest = 1.001 * limit.h_crit;
-  for (size_t p = 0; p < parts.size(); ++p) {
+  for (size_t p = 0; p < limit.without.size(); ++p) {
     const double h = limit.without[p];
     if (std::abs(h / limit.h_crit - 1) > 0.001)
       without.push_back("without " + parts[p].name +
@@ -171,15 +179,17 @@ void print_explicit_limit(const Scene& scene, const std::vector<Part>& parts, co
     strongest = parts[p].name;
   }
   if (!strongest.empty())
-    print_wrapped("h_crit " + joined(without, ", ") + ": " + strongest + " limits h most");
+    print_wrapped(
+        "h_crit " + joined(without, ", ") +
+        (limit.without.size() == parts.size() ? ": " + strongest + " limits h most" : ""));
 }
 
-void print_implicit_limit(const Scene& scene) {
+void print_implicit_limit(const Scene& scene, const Limit& limit) {
   print_row("What sets h");
-  const double omega = largest_frequency(scene), h = scene.time.h;
-  if (!(omega > 0)) return print_wrapped("every h is stable: there is no elastic force");
+  if (std::isinf(limit.h_crit))
+    return print_wrapped("every h is stable: there is no elastic force");
   print_wrapped(text("h ω_max = %.3g; an explicit method needs h ω_max < 2, so h < h_crit = %.3g s",
-                     h * omega, 2 / omega));
+                     2 * scene.time.h / limit.h_crit, limit.h_crit));
   print_wrapped("backward Euler has no such limit: the error sets h");
 }
 
@@ -222,8 +232,8 @@ void print_tenth_of_error(const Scene& scene, const Survey& s) {
 void print_tenth_of_time(const Options& options, const Survey& s) {
   if (const Trial* best = s.best_cheaper())
     print_wrapped("for a tenth of the time: " + best->options + " takes " +
-                  percent(best->seconds / s.baseline.seconds) + " of the time; error " +
-                  of_size(best->distance_at[s.compared_at()], s));
+                  percent(best->seconds_to_stop / s.baseline.seconds_to_stop) +
+                  " of the time; error " + of_size(best->distance_at[s.compared_at()], s));
   else
     print_wrapped("for a tenth of the time: no cheaper run was found");
   if (!options.concepts.implicit)
@@ -235,14 +245,16 @@ void print_tenth_of_time(const Options& options, const Survey& s) {
 
 void print_error(const Options& options, const Scene& scene, const Survey& s) {
   if (s.times.empty())
-    return print_wrapped("the cloth " + s.baseline.ended + ": no error can be estimated");
+    return print_wrapped("the cloth " +
+                         (s.baseline.ended.empty() ? "had no time to move" : s.baseline.ended) +
+                         ": no error can be estimated");
   print_row("The error of h, RMS over the vertices");
   if (s.nothing_moves())
     return print_wrapped(text("no error until t = %.6g s: nothing moves", s.times[s.last()]));
   const std::optional<size_t> reliable = s.last_reliable_stop();
   if (reliable) print_estimated(s, *reliable);
   if (reliable != s.last()) print_not_estimated(s);
-  if (s.tighter)
+  if (s.tighter && s.tighter->ended.empty())
     print_wrapped(
         text("a tenth of the tolerance %g changes the result by ", options.method.tolerance) +
         length(s.tighter->distance_at[s.compared_at()]));
@@ -259,7 +271,7 @@ void print_one_left_out(const Part& part, const Trial& trial, const Survey& s) {
   if (result.empty()) {
     const double change = trial.distance_at[s.last()];
     result = padded(length(change), 12) + padded(per_cent(change / s.size), 10) +
-             padded(percent(1 - trial.seconds / s.mean_seconds()), 6) +
+             padded(percent(1 - trial.seconds_to_stop / s.mean_seconds()), 6) +
              (s.is_below_error(trial) ? "below the error of h" : "");
   }
   print_row("    " + padded(part.name, 20) + padded(part.option, 27) + result);
@@ -287,6 +299,11 @@ void print_left_out(const std::vector<Part>& parts, const Survey& s) {
            percent(s.timing_noise()).c_str()));
 }
 
+void print_not_measured(const TimeBudget& time, const Survey& s) {
+  print_row(text("Not measured in %.0f s", time.length()));
+  print_wrapped(joined(s.not_measured, "; "));
+}
+
 void print_advice(const Options& options, const std::vector<Part>& parts, const Survey& s) {
   print_row("Advice");
   if (s.nothing_moves()) return print_wrapped("Nothing moves: every h gives the same result.");
@@ -304,7 +321,7 @@ void print_advice(const Options& options, const std::vector<Part>& parts, const 
   if (s.last_reliable_stop() != s.last())
     advice.push_back("Compare final states by energies and the lowest point, not by positions.");
   if (advice.empty())
-    advice.push_back("Every part of the scene changes the result by more than the error of h.");
+    advice.push_back("Each part that was left out changes the result by more than the error of h.");
   advice.resize(std::min<size_t>(advice.size(), 2));
   print_wrapped(joined(advice, " "));
 }

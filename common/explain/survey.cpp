@@ -12,8 +12,11 @@
 
 namespace {
 
-constexpr double time_budget = 13;     // s of CPU time, for the runs that advance together
-constexpr int rounds_per_stop = 2;     // of timings
+// The shares of the time budget that may be spent when these measurements end. Cheaper runs have the
+// remainder.
+constexpr double until_limit = 0.2, until_runs = 0.7;
+constexpr int rounds_per_stop = 2;  // of timings
+constexpr const char* no_time = "not measured: no time was left";
 constexpr long progress_steps = 1000;  // the resolution of the progress line
 
 double median_of(std::vector<double> values) {
@@ -38,14 +41,15 @@ void require_memory(const Survey& s) {
 // interleaved rounds. The folds that the forces follow are found before them, as in a step.
 class StepClock {
  public:
-  StepClock(const Trials& trials, const std::vector<Part>& parts)
-      : h(trials.scene.time.h),
+  explicit StepClock(const Trials& trials)
+      : h(trials.scene.time.h), time(trials.time),
         baseline(trials.simulate(trials.scene.cloth, trials.options.method)),
-        cloth(trials.scene.cloth), saved(parts.size()) {
-    for (const Part& part : parts) without.push_back(part.cloth);
+        cloth(trials.scene.cloth), saved(trials.parts.size()) {
+    for (const Part& part : trials.parts) without.push_back(part.cloth);
   }
+  // At least once, and then while time is left.
   void measure(const Survey& s, const State& state) {
-    for (int round = 0; round < rounds_per_stop; ++round) {
+    for (int round = 0; round < rounds_per_stop && (step.empty() || time.is_left()); ++round) {
       forces.push_back(seconds(baseline, cloth, state));
       State moved = state;
       step.push_back(seconds_of([&] { baseline.step(h, moved); }));
@@ -71,6 +75,7 @@ class StepClock {
   }
 
   double h;
+  const TimeBudget& time;
   Simulation baseline;
   Cloth cloth;
   std::vector<Cloth> without;
@@ -78,13 +83,10 @@ class StepClock {
   std::vector<std::vector<double>> saved;
 };
 
-void time_a_step(std::vector<StepTimes>& methods, const Trials& trials, double h,
-                 const State& from) {
-  for (StepTimes& times : methods) {
-    const Simulation simulation = trials.simulate(trials.scene.cloth, times.with.method);
-    State state = from;
-    times.seconds.push_back(seconds_of([&] { simulation.step(h, state); }));
-  }
+void time_a_step(StepTimes& times, const Trials& trials, double h, const State& from) {
+  const Simulation simulation = trials.simulate(trials.scene.cloth, times.with.method);
+  State state = from;
+  times.seconds.push_back(seconds_of([&] { simulation.step(h, state); }));
 }
 
 // Not every method can solve every scene, and not every solver is built in.
@@ -99,7 +101,7 @@ void drop_impossible(std::vector<StepTimes>& methods, const Trials& trials) {
   });
 }
 
-Survey begin(const Trials& trials, const std::vector<Part>& parts) {
+Survey begin(const Trials& trials) {
   const Cloth& cloth = trials.scene.cloth;
   const Method& method = trials.options.method;
   Survey s{.size = box_of(trials.scene.start.x).diagonal().norm(),
@@ -107,7 +109,7 @@ Survey begin(const Trials& trials, const std::vector<Part>& parts) {
            .half = trials.trial("", cloth, method, 0.5),
            .quarter = trials.trial("", cloth, method, 0.25),
            .perturbed = trials.perturbed(perturbation)};
-  for (const Part& part : parts)
+  for (const Part& part : trials.parts)
     s.left_out.push_back(trials.trial(part.option, part.cloth, method));
   require_memory(s);
   if (trials.options.concepts.implicit) s.tenth_h.push_back({{"", method}});
@@ -121,8 +123,42 @@ Survey begin(const Trials& trials, const std::vector<Part>& parts) {
   return s;
 }
 
+void note_some(Survey& s, size_t some, size_t of, const std::string& things) {
+  if (some > 0) s.not_measured.push_back(text("%zu of %zu ", some, of) + things);
+}
+
+// Of an explicit step, with its damping, and then without each part while time is left.
+Limit explicit_limit(const Trials& trials) {
+  const auto h_crit = [&](const Cloth& cloth) {
+    return critical_step(cloth, trials.scene.start,
+                         trials.simulate(cloth, trials.options.method).forces);
+  };
+  const TimeBudget time = trials.time.part(until_limit);
+  Limit limit = {h_crit(trials.scene.cloth), {}};
+  for (const Part& part : trials.parts)
+    if (time.is_left()) limit.without.push_back(h_crit(part.cloth));
+  return limit;
+}
+
+// Of an explicit step that an implicit one replaces, without damping.
+Limit undamped_limit(const Scene& scene) {
+  VecX f;
+  const auto forces = [&](const State& state) -> const VecX& {
+    f.setZero(state.x.size());
+    for_each_family(scene.cloth,
+                    [&](const auto& family) { add_elastic_forces(family, state.x, f); });
+    return f;
+  };
+  return {critical_step(scene.cloth, scene.start, forces), {}};
+}
+
+// Without these there is no error.
+std::vector<Trial*> indispensable(Survey& s) {
+  return {&s.baseline, &s.half, &s.quarter, &s.perturbed};
+}
+
 std::vector<Trial*> compared_with_baseline(Survey& s) {
-  std::vector<Trial*> trials = {&s.baseline, &s.half, &s.quarter, &s.perturbed};
+  std::vector<Trial*> trials = indispensable(s);
   if (s.tighter) trials.push_back(&*s.tighter);
   for (Trial& trial : s.left_out) trials.push_back(&trial);
   return trials;
@@ -146,24 +182,61 @@ void record_stop(Survey& s) {
   for (Trial& trial : s.left_out) end_if_far(trial, s.size, s.times.back());
 }
 
-// One after the other, to the stop that the other runs have reached.
-void run_cheaper(Survey& s, const Trials& trials) {
-  for (const auto& make : trials.cheaper()) try {
-      Trial trial = make();
-      for (const VecX& best : s.extrapolated_at) {
-        trial.advance();
-        trial.compare_with(best);
-      }
-      trial.simulation = {};
-      s.cheaper.push_back(std::move(trial));
+bool is_late(const Trial* trial) {
+  return trial->is_late();
+}
+
+// All runs to their next stop. False if the time does not suffice: then the stop does not count. But
+// a run that has not come to its first stop is given up, unless it is indispensable.
+bool advance_together(Survey& s, const TimeBudget& time, const std::function<void()>& show) {
+  for (Trial* trial : compared_with_baseline(s)) {
+    trial->advance(time);
+    show();
+  }
+  if (std::ranges::any_of(indispensable(s), is_late)) return false;
+  for (Trial* trial : compared_with_baseline(s))
+    if (trial->is_late() && trial->distance_at.empty()) trial->ended = no_time;
+  return std::ranges::none_of(compared_with_baseline(s), is_late);
+}
+
+// A cheaper run to the stop that the other runs have reached; nothing if the time does not suffice.
+std::optional<Trial> run_cheaper(const std::function<Trial()>& make, const Survey& s,
+                                 const TimeBudget& time) {
+  if (!time.is_left()) return {};
+  Trial trial = make();
+  for (const VecX& best : s.extrapolated_at) {
+    trial.advance(time);
+    if (trial.is_late()) return {};
+    trial.compare_with(best);
+  }
+  trial.simulation = {};
+  return trial;
+}
+
+// One after the other. Not every method can solve every scene.
+void run_all_cheaper(Survey& s, const Trials& trials) {
+  const auto all = trials.cheaper();
+  size_t late = 0;
+  for (const auto& make : all) try {
+      if (std::optional<Trial> trial = run_cheaper(make, s, trials.time))
+        s.cheaper.push_back(std::move(*trial));
+      else
+        ++late;
     } catch (const std::invalid_argument&) {
     } catch (const BadInput&) {
     }
+  note_some(s, late, all.size(), "cheaper runs");
 }
 
-double h_crit_of(const Cloth& cloth, const State& start, const Simulate& simulate,
-                 const Method& method) {
-  return critical_step(cloth, start, simulate(cloth, method).forces);
+void note_lack_of_time(Survey& s, long stops) {
+  if (s.baseline.ended.empty() && long(s.times.size()) < stops)
+    s.not_measured.push_back(s.times.empty() ? "the motion"
+                                             : text("the motion after t = %.3g s", s.times.back()));
+  if (s.tighter && s.tighter->ended == no_time)
+    s.not_measured.push_back("a tenth of the tolerance");
+  const size_t methods = s.other_methods.size();
+  const size_t late = std::erase_if(s.other_methods, [](auto& m) { return m.seconds.empty(); });
+  note_some(s, late, methods, "other methods");
 }
 
 }  // namespace
@@ -173,15 +246,16 @@ double StepTimes::median() const {
 }
 
 double Survey::mean_seconds() const {
-  return (baseline.seconds + perturbed.seconds) / 2;
+  return (baseline.seconds_to_stop + perturbed.seconds_to_stop) / 2;
 }
 
 double Survey::mean_step() const {
-  return (baseline.seconds + perturbed.seconds) / double(baseline.steps + perturbed.steps);
+  const long steps = baseline.steps + perturbed.steps;
+  return steps > 0 ? (baseline.seconds + perturbed.seconds) / double(steps) : median_step;
 }
 
 double Survey::timing_noise() const {
-  return std::abs(baseline.seconds - perturbed.seconds) / mean_seconds();
+  return std::abs(baseline.seconds_to_stop - perturbed.seconds_to_stop) / mean_seconds();
 }
 
 std::optional<size_t> Survey::last_reliable_stop() const {
@@ -203,17 +277,19 @@ bool Survey::is_below_error(const Trial& trial) const {
 const StepTimes* Survey::step_of_a_tenth() const {
   if (tenth_h.empty()) return nullptr;
   const size_t stop = compared_at();
-  const bool tight = tighter && tighter->distance_at[stop] > 0.03 * error_of_h(stop);
+  const bool tight =
+      tighter && tighter->ended.empty() && tighter->distance_at[stop] > 0.03 * error_of_h(stop);
   return &tenth_h[tight ? 1 : 0];
 }
 
 const Trial* Survey::best_cheaper() const {
   const size_t stop = compared_at();
   const auto is_better = [&](const Trial& a, const Trial& b) {
-    const bool a_fits = a.seconds < 0.1 * baseline.seconds,
-               b_fits = b.seconds < 0.1 * baseline.seconds;
+    const double tenth = 0.1 * baseline.seconds_to_stop;
+    const bool a_fits = a.seconds_to_stop < tenth, b_fits = b.seconds_to_stop < tenth;
     if (a_fits != b_fits) return a_fits;
-    return a_fits ? a.distance_at[stop] < b.distance_at[stop] : a.seconds < b.seconds;
+    return a_fits ? a.distance_at[stop] < b.distance_at[stop]
+                  : a.seconds_to_stop < b.seconds_to_stop;
   };
   const Trial* best = nullptr;
   for (const Trial& trial : cheaper)
@@ -229,50 +305,36 @@ const StepTimes* Survey::better_method(double tolerance) const {
   return best && best->median() < 0.8 * mean_step() ? best : nullptr;
 }
 
-Survey survey(const Options& options, const Scene& scene, const std::vector<Part>& parts,
-              const Simulate& simulate) {
-  const Trials trials(options, scene, simulate);
-  Survey s = begin(trials, parts);
-  StepClock clock(trials, parts);
-  clock.measure(s, scene.start);
+Survey survey(const Trials& trials) {
+  Survey s = begin(trials);
+  StepClock clock(trials);
+  clock.measure(s, trials.scene.start);
+  const bool implicit = trials.options.concepts.implicit;
+  const size_t parts = trials.parts.size();
+  s.limit = implicit ? undamped_limit(trials.scene) : explicit_limit(trials);
+  if (!implicit)
+    note_some(s, parts - s.limit.without.size(), parts, "values of h_crit without a part");
 
+  const TimeBudget time = trials.time.part(until_runs);
+  const double h = trials.scene.time.h;
+  const long stops = trials.scene.time.steps() / trials.stride;
   Progress progress(progress_steps, "measuring: ", stderr);
-  double spent = 0;  // s of CPU time
-  const long stops = scene.time.steps() / trials.stride;
-  for (long stop = 0; stop < stops && spent < time_budget && s.baseline.ended.empty(); ++stop)
-    spent += seconds_of([&] {
-      for (Trial* trial : compared_with_baseline(s)) {
-        trial->advance();
-        const double done = std::max((double(stop) + 0.5) / double(stops), spent / time_budget);
-        progress.show(std::lround(done * progress_steps));
-      }
-      if (!s.baseline.ended.empty()) return;
-      record_stop(s);
-      time_a_step(s.tenth_h, trials, scene.time.h / 10, s.baseline.state);
-      time_a_step(s.other_methods, trials, scene.time.h, s.baseline.state);
-      clock.measure(s, s.baseline.state);
-    });
+  const auto show = [&] {
+    const double done =
+        std::max((double(s.times.size()) + 0.5) / double(stops), time.spent() / time.length());
+    progress.show(std::lround(std::min(1.0, done) * progress_steps));
+  };
+  for (long stop = 0; stop < stops && advance_together(s, time, show) && s.baseline.ended.empty();
+       ++stop) {
+    record_stop(s);
+    for (StepTimes& times : s.tenth_h) time_a_step(times, trials, h / 10, s.baseline.state);
+    for (StepTimes& times : s.other_methods)
+      if (time.is_left()) time_a_step(times, trials, h, s.baseline.state);
+    clock.measure(s, s.baseline.state);
+  }
   progress.end();
   clock.store_medians(s);
-  run_cheaper(s, trials);
+  run_all_cheaper(s, trials);
+  note_lack_of_time(s, stops);
   return s;
-}
-
-Limit explicit_limit(const Scene& scene, const std::vector<Part>& parts, const Simulate& simulate,
-                     const Method& method) {
-  Limit limit = {h_crit_of(scene.cloth, scene.start, simulate, method), {}};
-  for (const Part& part : parts)
-    limit.without.push_back(h_crit_of(part.cloth, scene.start, simulate, method));
-  return limit;
-}
-
-double largest_frequency(const Scene& scene) {
-  VecX f;
-  const auto forces = [&](const State& state) -> const VecX& {
-    f.setZero(state.x.size());
-    for_each_family(scene.cloth,
-                    [&](const auto& family) { add_elastic_forces(family, state.x, f); });
-    return f;
-  };
-  return 2 / critical_step(scene.cloth, scene.start, forces);
 }

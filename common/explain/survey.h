@@ -1,5 +1,5 @@
 // What --explain measures. All runs advance together, from stop to stop, so that a busy machine
-// slows all of them alike. They end with the scene, or after time_budget (survey.cpp).
+// slows all of them alike. They end with the scene, or with their share of the time budget.
 #pragma once
 #include <optional>
 
@@ -14,10 +14,17 @@ struct StepTimes {
   double median() const;
 };
 
+// The longest stable explicit step at the start: 2/ω_max without damping.
+struct Limit {
+  double h_crit = 0;            // s; infinite without an elastic force
+  std::vector<double> without;  // s, without each part; of an explicit step only
+};
+
 struct Survey {
   double size = 0;  // m, the diagonal of the cloth's box at the start
+  Limit limit = {};
 
-  // Of the stops. Empty where the cloth explodes before the first.
+  // Of the stops. Empty where the cloth explodes, or the time ends, before the first.
   std::vector<double> times;          // s
   std::vector<VecX> extrapolated_at;  // 2 x(h/4) − x(h/2): Richardson's estimate of h → 0
   std::vector<double> error_at;       // m, RMS distance from x(h) to it
@@ -37,6 +44,8 @@ struct Survey {
   double median_step = 0;
   double median_forces = 0;          // one evaluation of all forces
   std::vector<double> median_saved;  // by an evaluation without each part
+
+  std::vector<std::string> not_measured;  // for lack of time
 
   bool nothing_moves() const { return quarter.distance_at.back() < 1e-12 * size; }
   size_t last() const { return times.size() - 1; }
@@ -62,15 +71,6 @@ struct Survey {
   const StepTimes* better_method(double tolerance) const;
 };
 
-// Throws BadInput where the memory does not suffice for all of the runs.
-Survey survey(const Options&, const Scene&, const std::vector<Part>&, const Simulate&);
-
-// The longest stable explicit step at the start, and the same without each part.
-struct Limit {
-  double h_crit;                // s; infinite without an elastic force
-  std::vector<double> without;  // s
-};
-Limit explicit_limit(const Scene&, const std::vector<Part>&, const Simulate&, const Method&);
-
-// ω_max = 2/h_crit of the forces without damping at the start, 1/s.
-double largest_frequency(const Scene&);
+// The cheapest measurements come first. Throws BadInput where the memory does not suffice for all of
+// the runs.
+Survey survey(const Trials&);

@@ -11,21 +11,15 @@
 
 namespace {
 
-constexpr double slow_step = 0.1;  // s
-
 // Methods that are always slower than the others: they exist to be compared with.
 bool is_slow(const std::string& name) {
   return name == "inverse" || name == "none" || name == "jacobi";
 }
 
 // Steps from stop to stop: ten or a multiple, so that h can be ten times as long, and about twenty
-// stops. One step where the scene has few steps, or slow ones.
-long stride_of(const Scene& scene, const Simulate& simulate, const Method& method) {
-  if (scene.time.steps() < 20) return 1;
-  const Simulation simulation = simulate(scene.cloth, method);
-  State state = scene.start;
-  if (seconds_of([&] { simulation.step(scene.time.h, state); }) > slow_step) return 1;
-  return 10 * std::max(1L, std::lround(double(scene.time.steps()) / 200));
+// stops. One step if the runs come to few steps.
+long stride_of(double steps) {
+  return steps < 20 ? 1 : 10 * std::max(1L, std::lround(steps / 200));
 }
 
 // The points of a finer grid where the vertices of a coarser one lie, interpolated between its
@@ -62,12 +56,15 @@ double seconds_of(const std::function<void()>& work) {
   return now() - start;
 }
 
-void Trial::advance() {
-  if (!ended.empty()) return;
-  const long stop = steps + stride;
+bool Trial::is_late() const {
+  return ended.empty() && steps < stride * long(distance_at.size() + 1);
+}
+
+void Trial::advance(const TimeBudget& time) {
+  if (!is_late()) return;
   bool finite = true;
   seconds += seconds_of([&] {
-    for (; finite && steps < stop; ++steps) {
+    for (; finite && is_late() && time.is_left(); ++steps) {
       simulation.step(h, state);
       finite = state.x.allFinite();
     }
@@ -77,13 +74,39 @@ void Trial::advance() {
 }
 
 void Trial::compare_with(const VecX& other) {
-  seconds_at.push_back(seconds);
+  seconds_to_stop = seconds;
   distance_at.push_back(rms_distance(state.x, at_own_vertices ? at_own_vertices(other) : other));
 }
 
-Trials::Trials(const Options& options_, const Scene& scene_, const Simulate& simulate_)
-    : options(options_), scene(scene_), simulate(simulate_),
-      stride(stride_of(scene_, simulate_, options_.method)) {}
+Trials::Trials(const Options& options_, const Scene& scene_, const std::vector<Part>& parts_,
+               const Simulate& simulate_, const TimeBudget& time_)
+    : options(options_), scene(scene_), parts(parts_), simulate(simulate_), time(time_) {
+  step_seconds = seconds_of_a_step();
+  const double share = std::min(1.0, time.length() / forecast());  // of the scene, in this time
+  stride = stride_of(share * double(scene.time.steps()));
+}
+
+// The mean of up to ten steps. The first one does not count: a cloth that begins to fall as a whole
+// needs few iterations.
+double Trials::seconds_of_a_step() const {
+  const TimeBudget enough = time.part(0.01);
+  const Simulation simulation = simulate(scene.cloth, options.method);
+  State state = scene.start;
+  simulation.step(scene.time.h, state);
+  const double before = time.spent();
+  int steps = 0;
+  do simulation.step(scene.time.h, state);
+  while (++steps < 10 && enough.is_left());
+  return (time.spent() - before) / steps;
+}
+
+// For a step of the scene the runs with h, h/2 and h/4 and the perturbed one take 1 + 2 + 4 + 1
+// steps, the run with a tighter tolerance and each run without a part one. Timings and cheaper runs
+// take about a third more.
+double Trials::forecast() const {
+  const double runs = 8 + double(options.concepts.iterative) + double(parts.size());
+  return 4.0 / 3 * runs * double(scene.time.steps()) * step_seconds;
+}
 
 Trial Trials::trial(const std::string& name, const Cloth& cloth, const Method& method,
                     double factor_h) const {
@@ -167,7 +190,7 @@ std::vector<std::function<Trial()>> Trials::cheaper() const {
       stride % 2 == 0)
     list.push_back([this] { return fewer_cells(); });
   if (options.concepts.implicit)
-    for (const int factor : {5, 10})
+    for (const int factor : {10, 5})  // the cheapest first
       for (const NamedMethod& other : other_methods())
         if (stride % factor == 0)
           list.push_back([=, this] {

@@ -3,6 +3,7 @@
 #pragma once
 #include "explain/explain.h"
 #include "explain/parts.h"
+#include "explain/time_budget.h"
 
 // One run, and how far it has come. It goes from stop to stop; all runs have the same stops.
 struct Trial {
@@ -16,13 +17,13 @@ struct Trial {
       {};  // from the scene's vertices, where they differ
 
   long steps = 0;
-  double seconds = 0;                   // CPU time
-  std::vector<double> seconds_at = {};  // at every stop
-  std::vector<double> distance_at =
-      {};                  // at every stop, from the positions that it is compared with, m
-  std::string ended = {};  // why it ended early
+  double seconds = 0;                    // CPU time of all steps
+  double seconds_to_stop = 0;            // of the steps to the last stop
+  std::vector<double> distance_at = {};  // at every stop, from the positions compared with, m
+  std::string ended = {};                // why it ended early
 
-  void advance();                        // to the next stop, unless it has ended
+  bool is_late() const;                  // has neither ended nor come to the next stop
+  void advance(const TimeBudget&);       // to the next stop; late if the time ends before
   void compare_with(const VecX& other);  // records time and distance of this stop
 };
 
@@ -36,20 +37,27 @@ struct NamedMethod {
 
 class Trials {
  public:
-  Trials(const Options&, const Scene&, const Simulate&);
+  Trials(const Options&, const Scene&, const std::vector<Part>&, const Simulate&,
+         const TimeBudget&);
 
   Trial trial(const std::string& name, const Cloth&, const Method&, double factor_h = 1) const;
   Trial perturbed(double by) const;  // m, RMS over the vertices
   std::vector<std::function<Trial()>> cheaper() const;
   std::vector<NamedMethod> other_methods() const;  // with the same and with looser tolerance
   NamedMethod tighter() const;                     // with a tenth of the tolerance
+  double forecast() const;  // s on the wall, of everything that has to be measured
 
   const Options& options;
   const Scene& scene;
+  const std::vector<Part>& parts;
   const Simulate simulate;
-  const long stride;
+  const TimeBudget& time;
+  long stride;
 
  private:
   std::string options_of(const Method&) const;
   Trial fewer_cells() const;
+  double seconds_of_a_step() const;
+
+  double step_seconds;  // on the wall, of one step
 };
