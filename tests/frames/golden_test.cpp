@@ -1,5 +1,5 @@
-// The default run of each program draws the frame.png beside it, the picture that its README shows. The
-// positions and energies of that run are compared in tests/steps/program_results_test.cpp.
+// The default run of each program draws the frame.png beside it. The positions and energies of that run are
+// compared in tests/steps/program_results_test.cpp.
 #include <cstdio>
 
 #include "picture/compare.h"
