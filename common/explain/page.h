@@ -3,8 +3,8 @@
 #include "explain/survey.h"
 
 void print_scene(const Options&, const Scene&);
-void print_duration(const TimeBudget&,
-                    double forecast);  // s, of everything that has to be measured
+// Forecast: s, of everything that has to be measured.
+void print_duration(const TimeBudget&, double forecast);
 void print_costs(const Options&, const Scene&, const std::vector<Part>&, const Survey&);
 void print_explicit_limit(const Scene&, const std::vector<Part>&, const Limit&);
 void print_implicit_limit(const Scene&, const Limit&);
