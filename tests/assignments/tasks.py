@@ -33,6 +33,7 @@ class Task:
     mistakes: list = dataclasses.field(default_factory=list)  # name, cut, with: typical ones
     planted: dict = dataclasses.field(default_factory=dict)   # cut, with: what `mend` hands out
     question: str = ""       # of `measure` and `invent`
+    unit: str = ""           # of the answer to `measure`
     given: dict = dataclasses.field(default_factory=dict)     # numbers that differ between students
     term: str = ""           # of `invent`: the term and the list of math/cloth.h that it joins
     list: str = ""
