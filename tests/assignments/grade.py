@@ -4,8 +4,9 @@
     python3 tests/assignments/grade.py DIR A3 B3 --student ada --out results/ada
 
 DIR is the student's copy; of it, only the bodies of the named functions, helpers.h, and answers.toml are read.
-For each task these go into the project's own code, so that a mistake costs one task. The result is a table, and in
---out: results.json for Gradescope, junit.xml, and one file TASK.exit with an exit code for each task.
+For each task the code goes into the project's own, so that a mistake costs one task. Answers are compared with
+what the project's programs measure (measures.py). The result is a table, and in --out: results.json for
+Gradescope, junit.xml, and one file TASK.exit with an exit code for each task.
 
 Exit code: 0 if all tasks passed, 1 if not, 2 if the command cannot be used.
 """
@@ -21,6 +22,7 @@ import tempfile
 
 import functions
 import make
+import measures
 import results
 import runs
 import tasks
@@ -207,8 +209,11 @@ def grade_codes(chosen, hand_in, student, seed, workshop):
     return endings
 
 
-def grade(chosen, hand_in, student, seed, workshop):
+def grade(chosen, hand_in, student, seed, workshop, build=SOURCE / "build/release"):
     endings = grade_codes([task for task in chosen if task.check], hand_in, student, seed, workshop)
+    for task in chosen:
+        if task.kind == "measure":
+            endings[task.id] = measures.grade(task, hand_in, student, measures.Programs(build))
     return [results.result(task, endings[task.id]) for task in chosen]
 
 
@@ -302,12 +307,13 @@ def main():
               "and can read your files", file=sys.stderr)
     with Workshop(options.work, chosen).locked() as workshop:
         workshop.prepare()
-        found = grade(chosen, options.hand_in, options.student, options.hidden, workshop)
+        found = grade(chosen, options.hand_in, options.student, options.hidden, workshop, options.build)
     print(results.table(found))
     if options.out:
         write(found, options.out)
     if options.frames:
-        for sentence in write_films(chosen, options.hand_in, options.work, options.build, options.out):
+        code = [task for task in chosen if task.check]
+        for sentence in write_films(code, options.hand_in, options.work, options.build, options.out):
             print(sentence)
     return 0 if all(r.state == PASSED for r in found) else 1
 

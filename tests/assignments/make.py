@@ -16,6 +16,7 @@ import subprocess
 import sys
 
 import functions
+import measures
 import results
 import tasks
 from tasks import HERE, SOURCE, TaskError
@@ -24,7 +25,7 @@ PROGRAMS = {1: "step01_explicit", 2: "step02_damping", 3: "step03_implicit", 4: 
 STUDENT_FILES = {"helpers.h": "common/math/helpers.h", "not_written.h": "common/math/not_written.h",
                  "checks.cmake": "tests/assignments/checks.cmake", "check": "check", "Containerfile": "Containerfile"}
 FILM = ["--size", "640x360", "--export", "obj"]  # of the run that a student compares with
-TOOLS = ["functions.py", "runs.py", "results.py", "check.py"]
+TOOLS = ["answers.py", "functions.py", "runs.py", "results.py", "check.py"]
 
 
 # The files of a copy -------------------------------------------------------------------------------
@@ -150,6 +151,7 @@ def copy(chosen, out, hand_out=True, student="nobody"):
         answers = {task.id: take_bodies(task, out) for task in chosen}
         take_quotes(out, set().union(*answers.values()))
         refuse_answers(out, answers)
+        measures.add(chosen, out, student)
     write_tasks(chosen, out, student)
 
 
@@ -220,11 +222,13 @@ def table_of_tasks():
 def section(task, student):
     """The task in the README of the copy."""
     ask = {"write": "Write `{f}` in [{file}]({file}).", "invent": "{q}\n\nWrite `{f}` in [{file}]({file}).",
-           "mend": "`{f}` in [{file}]({file}) has a mistake. Find it and mend it.", "measure": "{q}"}[task.kind]
+           "mend": "`{f}` in [{file}]({file}) has a mistake. Find it and mend it.",
+           "measure": "{q}\n\nThe scene: `build/{p}/{p} measure/{id}/scene.toml --no-pictures`. Write your answer into "
+                      "[answers.toml](answers.toml)."}[task.kind]
     names = "`, `".join(re.sub(r"\(.*", "", f) for f in task.functions)
     question = task.question.strip().format(**task.numbers(student)) if task.question else ""
     return (f"### {task.id} · {task.title} ({task.points} points, about {task.minutes} minutes)\n\n"
-            + ask.format(f=names, file=task.file, q=question)
+            + ask.format(f=names, file=task.file, q=question, p=PROGRAMS[task.step], id=task.id)
             + f" The lesson: [{task.lesson}]({task.lesson}).\n\n"
             f"<details><summary>A hint</summary>\n\n{task.hint}\n\n</details>\n")
 
