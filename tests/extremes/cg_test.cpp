@@ -90,6 +90,13 @@ TEST(LooseConjugateGradients, ExplodeWhereTheyStopByTheRelativeResidual) {
   step04::System textbook(scene.cloth, with("block", 1e-4)), ours(scene.cloth, with("block", 0.1));
   const Outcome exploded = watch(scene, 0.1, 60, textbook, textbook_step);
   EXPECT_TRUE(!exploded.finite || exploded.last > 1e6);
+  const Outcome direct = watch(scene, 0.1, 60);
+  const double kinetic = energies(scene.cloth, direct.end).kinetic,
+               shot_off = energies(scene.cloth, scene.start).kinetic;
+  std::printf("direct: stretch %.4f, %.1e J of %.0f J are left in motion\n", direct.last, kinetic,
+              shot_off);
+  EXPECT_LT(direct.last, 1.01);
+  EXPECT_LT(kinetic, 1e-3);
   EXPECT_LT(watch(scene, 0.1, 60, ours, step04::time_step).last, 3);
 }
 

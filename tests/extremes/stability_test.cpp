@@ -125,6 +125,58 @@ TEST(ExplicitLimit, GoesWithTheRootOfKAndWithDampingWithK) {
   EXPECT_NEAR(limit("step02", 1e7) / limit("step02", 1e8), 10, 0.5);
 }
 
+// The table of the lesson of step 2.
+TEST(ExplicitLimit, IsThatOfTheLessons) {
+  struct Case {
+    double k, step01, step02;  // N/m, s, s
+  };
+  for (const Case& c : {Case{1e2, 3.2e-3, 3.1e-3}, Case{1e4, 3.2e-4, 2.3e-4},
+                        Case{1e6, 3.2e-5, 4.9e-6}, Case{1e8, 3.2e-6, 5.0e-8}}) {
+    const double one = explicit_limit(configuration("step01"), c.k, {}),
+                 two = explicit_limit(configuration("step02"), c.k, {});
+    std::printf("k = %.0e: h_crit of step 1 %.2e s, of step 2 %.2e s\n", c.k, one, two);
+    EXPECT_NEAR(one / c.step01, 1, 0.02) << "k = " << c.k;
+    EXPECT_NEAR(two / c.step02, 1, 0.02) << "k = " << c.k;
+  }
+}
+
+// The lesson of step 5: of all cells with bending only two gain energy. Their weight stretches the threads
+// more than fivefold. The next longer step gains none.
+TEST(StabilityMap, WithBendingTwoCellsOfASoftClothGainEnergy) {
+  for (const auto& [h, verdict] : {std::pair{1e-3, '+'}, {1.78e-3, '+'}, {3.16e-3, '.'}}) {
+    const Cell cell = watch_cell(configuration("step05"), MapScene::drop, h, std::sqrt(10.0), {});
+    std::printf("h = %.2e s: gain %.1e m g L, stretched %.1f-fold\n", h, cell.gain, cell.stretch);
+    EXPECT_EQ(letter(cell.verdict), verdict) << "h = " << h;
+    EXPECT_NEAR(cell.stretch, 5.5, 0.2);
+  }
+}
+
+// The last cell before the border and the first beyond it, in the four rows that the lesson of step 1 prints.
+TEST(StabilityMap, HasTheBordersThatTheLessonPrints) {
+  struct Case {
+    double k;  // N/m
+    int whole;  // columns before the first X; the first column is h = 10 µs, and four are a factor of ten
+    char before;  // the verdict in the last of them
+  };
+  for (const Case& c :
+       {Case{1e6, 3, '+'}, Case{1e4, 7, '.'}, Case{1e2, 10, '+'}, Case{1, 12, '+'}}) {
+    const auto cell = [&](int column) {
+      return watch_cell(configuration("step01"), MapScene::drop, 1e-5 * std::pow(10, column / 4.0),
+                        c.k, {});
+    };
+    const Cell whole = cell(c.whole - 1);
+    EXPECT_EQ(letter(whole.verdict), c.before) << "k = " << c.k;
+    EXPECT_EQ(letter(cell(c.whole).verdict), 'X') << "k = " << c.k;
+    if (c.k == 1) {
+      const double part = 1e-2 / explicit_limit(configuration("step01"), 1, {});
+      std::printf("softest cloth: stretched %.1f-fold, explodes at %.2f h_crit\n", whole.stretch,
+                  part);
+      EXPECT_NEAR(whole.stretch, 9.7, 0.1);
+      EXPECT_NEAR(part, 0.32, 0.005);
+    }
+  }
+}
+
 TEST(Frozen, IsThePrintedMatrixWhereTheDefiniteOneBuckles) {
   for (const double h : {1e-2, 1e-1, 1.0}) {
     const Cell bw98 = watch_cell(configuration("step03_bw98"), MapScene::strip, h, 1e4, coarse);

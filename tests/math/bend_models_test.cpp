@@ -13,7 +13,7 @@
 
 namespace bend_models_test {
 
-constexpr double k = 3;  // N·m
+constexpr double k = 3, small_fold = 0.02;  // N·m, rad
 
 QuadraticHinges one_quadratic(const FlatHinge& flat_hinge) {
   QuadraticHinges hinges;
@@ -346,6 +346,33 @@ TEST(BendSprings, EnergyGrowsWithTheFourthPowerOfTheFold) {
     EXPECT_NEAR(E / exact, 1, 1e-9);
     EXPECT_NEAR(E / (k * H * H * std::pow(theta, 4) / 32), 1, theta * theta / 24 + 1e-9);
   }
+}
+
+// The table of the lesson of step 5: the energy of a small fold, and the moment at half a turn. The
+// heights are equal and share their foot, as the springs of the table ask.
+template <class Family>
+void expect_energy_and_moment(const FlatHinge& hinge, Family& family, double energy_at_small,
+                              double moment_at_half_a_turn) {
+  EXPECT_NEAR(energy(family, flat(hinge.folded(small_fold))) / energy_at_small, 1, 1e-4);
+  const double theta = pi - 2e-5;  // at π itself the spring has no length
+  const Vec3 along(-std::sin(theta), 0, -std::cos(theta));
+  const VecX f = family_forces(family, flat(hinge.folded(theta)));
+  EXPECT_NEAR(-f.tail<3>().dot(along) * hinge.height1, moment_at_half_a_turn, 1e-3);
+}
+
+TEST(BendModels, HaveTheEnergyAndTheMomentOfTheLesson) {
+  const double d = 0.5, sigma = 1 / two_areas(FlatHinge{d, 0.5, d, 0.5}), theta = small_fold;
+  const FlatHinge hinge = {d, 0.5, d, 0.5};
+  Hinges dihedral = one_hinge(hinge_near(0), k);
+  expect_energy_and_moment(hinge, dihedral, k / 2 * theta * theta, k * pi);
+  Hinges bridson = one_hinge(hinge_near(0, 0, sigma), k, BendModel::bridson);
+  expect_energy_and_moment(hinge, bridson, k * sigma / 4 * theta * theta, k * sigma);
+  QuadraticHinges flatness = one_quadratic(hinge);
+  expect_energy_and_moment(hinge, flatness, 3 * k * sigma * theta * theta, 0);
+  BendSprings springs;
+  springs.elements = {make_spring(0, 3, 2 * d)};
+  springs.term<SpringBend>() = SpringBend(k);
+  expect_energy_and_moment(hinge, springs, k * d * d / 32 * std::pow(theta, 4), 2 * k * d * d);
 }
 
 // What is absent ---------------------------------------------------------------------------------
