@@ -127,7 +127,7 @@ Svg sweeps_and_grids() {
     svg.arrow({615.0 - 40 * (level + 1), y + 30}, {615.0 - 40 * level - 4, y + 6}, {blue, 2});
   }
   svg.label({235, 240}, "the residual goes down", blue, "start", 14);
-  svg.label({525, 340}, "the correction comes up", blue, "start", 14);
+  svg.label({582, 338}, "the correction comes up", blue, "start", 14);
   return svg;
 }
 
