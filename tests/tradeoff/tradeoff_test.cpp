@@ -88,6 +88,41 @@ TEST_F(TradeOff, SeesThatOneSweepOfVbdIsTooFewForAStiffCloth) {
   }
 }
 
+// The tables of errors in the lessons, which the program tradeoff measures in some minutes.
+struct PrintedErrors {
+  Configuration configuration;
+  std::vector<std::pair<long, double>> of_steps;
+};
+struct Printed {
+  Choice choice;
+  std::vector<PrintedErrors> errors;
+};
+
+TEST_F(TradeOff, SeesTheErrorsThatTheLessonsPrint) {
+  const auto cg = [](double tolerance) { return Configuration{4, {.tolerance = tolerance}}; };
+  for (const Printed& printed : {
+           Printed{{"curtain"}, {{{1}, {{62, 2.2e-3}, {117, 1.2e-3}, {233, 6.0e-4}}}}},
+           Printed{{"damped-curtain"}, {{{2}, {{72, 2.0e-3}, {138, 1.0e-3}, {271, 5.2e-4}}}}},
+           Printed{{"curtain", 1e5},
+                   {{{3}, {{8, 1.1e-2}, {64, 2.7e-3}}},
+                    {cg(1e-1), {{8, 1.3e-2}, {64, 5.0e-3}, {512, 9.7e-4}}},
+                    {cg(1e-2), {{8, 1.1e-2}, {64, 2.9e-3}}},
+                    {cg(1e-4), {{8, 1.1e-2}, {64, 2.7e-3}, {512, 2.1e-4}}}}},
+           Printed{{"flap"},
+                   {{{5}, {{8, 7.2e-2}, {16, 2.5e-2}, {32, 8.6e-3}, {64, 3.9e-3}}},
+                    {{5, {.newton = 20}}, {{8, 1.4e-2}, {16, 8.4e-3}, {32, 5.6e-3}}}}},
+       }) {
+    const Study study = study_of(printed.choice);
+    for (const auto& [configuration, errors] : printed.errors)
+      for (const auto& [steps, error] : errors) {
+        const double seen = run(study, configuration, steps).error;
+        std::printf("%s, %s, %ld steps: %.2e, printed %.1e\n", printed.choice.scene.c_str(),
+                    name_of(configuration).c_str(), steps, seen, error);
+        EXPECT_NEAR(seen / error, 1, 0.04);
+      }
+  }
+}
+
 // The numbers come from an independent program, which takes a Runge-Kutta method of
 // order 8 as its reference.
 TEST_F(TradeOff, SeesTheErrorsOfAnIndependentProgram) {
