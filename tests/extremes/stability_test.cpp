@@ -171,7 +171,7 @@ TEST(StabilityMap, HasTheBordersThatTheLessonPrints) {
       const double part = 1e-2 / explicit_limit(configuration("step01"), 1, {});
       std::printf("softest cloth: stretched %.1f-fold, explodes at %.2f h_crit\n", whole.stretch,
                   part);
-      EXPECT_NEAR(whole.stretch, 9.7, 0.1);
+      EXPECT_NEAR(whole.stretch, 10, 0.5);  // 9.7 measured
       EXPECT_NEAR(part, 0.32, 0.005);
     }
   }
