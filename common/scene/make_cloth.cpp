@@ -35,8 +35,9 @@ void make_elements(const Mesh& mesh, Triangles& triangles) {
     triangles.elements.back().face = int(face);
   }
 }
+// The net is that of [spring]; without it, the net of a [spring] that gives k alone.
 void make_elements(const Mesh& mesh, Springs& springs) {
-  springs.elements = make_spring_net(mesh, *springs.term<SpringTerm>());
+  springs.elements = make_spring_net(mesh, springs.term<SpringTerm>().value_or(SpringTerm(1)));
 }
 void make_elements(const Mesh& mesh, Hinges& hinges) {
   hinges.elements = make_hinges(mesh);
