@@ -1,5 +1,5 @@
-// The derivatives of a formula by machine: no derivative is written down in any of the answers beside this file. It
-// cannot be handed in: it needs a header of Eigen, and the grader takes no line that begins with # from a student.
+// The derivatives of a formula by machine: the answers beside this file have no derivative written down. It cannot
+// be handed in: it needs a header of Eigen, and the grader takes no line that begins with # from a student.
 #pragma once
 #include <unsupported/Eigen/AutoDiff>
 

@@ -1,5 +1,5 @@
-// The checks of an invented condition: what every condition must satisfy, on a triangle or on a spring. A task
-// names its term, and says C once more, by the formula of its statement:
+// The checks of an invented condition: what every condition must satisfy, on a triangle or on a spring. A
+// task names its term, and says C once more, by the formula of its statement:
 //
 //   struct Statement {
 //     using Term = StrainLimitTerm;
