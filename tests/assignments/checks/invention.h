@@ -59,6 +59,14 @@ inline std::string shown(const Posed<Spring>& p) {
          " m, √q = " + shown(p.element.sqrt_share) + ", y = " + shown(p.y[0]) + " m";
 }
 
+// Which of the numbers of a derivative belongs to which vector.
+inline std::string by(const Posed<Triangle>&) {
+  return ", by w_u (0 to 2) and w_v (3 to 5)";
+}
+inline std::string by(const Posed<Spring>&) {
+  return ", by y";
+}
+
 // The numbers c_mn with ∂²C/∂y_m∂y_n = c_mn P across the element (math/tension.h), from second derivatives.
 inline MatX part_across(const Posed<Triangle>& p, const MatX& second) {
   const Vec3 n = p.y[0].cross(p.y[1]).normalized();
@@ -180,7 +188,7 @@ class Invention : public testing::Test {
     return every(element, y, [](const auto& c) { return Written::across(c); });
   }
 
-  // The slope in y of the matrices that of(element, y) finds, one below the other.
+  // The slope in y of the column that of(element, y) finds for one of the conditions.
   static MatX slope(const Posed& pose, size_t condition, const auto& of) {
     const auto column = [&](const VecX& y) -> VecX {
       return of(pose.element, split<Element::Y>(y))[condition];
@@ -207,7 +215,7 @@ TYPED_TEST_P(Invention, HasTheSlopeOfCAsItsGradient) {
     const std::vector<MatX> got = this->gradients(pose.element, pose.y);
     for (size_t i = 0; i < got.size(); ++i) {
       const MatX expected = this->slope(pose, i, TestFixture::C).transpose();
-      AGREES("dCdy of " + shown(pose) + ", against the slope of C", got[i], expected,
+      AGREES("dCdy of " + shown(pose) + by(pose) + ", against the slope of C", got[i], expected,
              1e-6 * (1 + expected.norm()));
     }
   }
@@ -219,9 +227,9 @@ TYPED_TEST_P(Invention, HasTheSlopeOfTheGradientAsItsSecondDerivative) {
     for (size_t i = 0; i < got.size(); ++i) {
       const MatX expected = this->slope(pose, i, TestFixture::gradients);
       const double tolerance = 1e-6 * (1 + expected.norm());
-      AGREES("second() of " + shown(pose) + ", against the slope of dCdy", got[i], expected,
-             tolerance);
-      AGREES("second() of " + shown(pose) + ", against its transpose", got[i],
+      AGREES("second() of " + shown(pose) + by(pose) + ", against the slope of dCdy", got[i],
+             expected, tolerance);
+      AGREES("second() of " + shown(pose) + by(pose) + ", against its transpose", got[i],
              MatX(got[i].transpose()), 1e-9 * (1 + expected.norm()));
     }
   }
