@@ -8,6 +8,7 @@ mistakes, some ten minutes.
 """
 import os
 import pathlib
+import re
 import sys
 import tempfile
 import tomllib
@@ -47,7 +48,7 @@ class Answer:
 def other_number(task, body):
     """The body with the number of another student in place of the name that every student has."""
     for name, value in task.numbers("a neighbour").items():
-        body = body.replace(name, repr(value))
+        body = re.sub(rf"\b{name}\b", repr(value), body)
     return body
 
 
