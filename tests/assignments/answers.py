@@ -21,8 +21,9 @@ def read(directory):
             raise AnswerError(f"{FILE} is larger than {BYTES // 1000} kB")
         return tomllib.loads(text)
     except (OSError, ValueError, RecursionError) as error:
-        raise AnswerError(f"{FILE} cannot be read: {str(error)[:200]}. "
-                          'A line of it is "C1.1" = 2.6e-4') from None
+        raise AnswerError(
+            f"{FILE} cannot be read: {str(error)[:200]}. " 'A line of it is "C1.1" = 2.6e-4'
+        ) from None
 
 
 def number(directory, task):

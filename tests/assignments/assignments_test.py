@@ -42,7 +42,10 @@ def changed(task, bodies, helpers=""):
 
 def mistaken(task, change):
     """The bodies with a typical mistake: in the one that has the text."""
-    bodies = [b.replace(change["cut"], change["with"]) if change["cut"] in b else b for b in reference(task)]
+    bodies = [
+        b.replace(change["cut"], change["with"]) if change["cut"] in b else b
+        for b in reference(task)
+    ]
     assert bodies != reference(task), f"{task.id}: no body has {change['cut']}"
     return bodies
 
@@ -109,16 +112,24 @@ class CopiesHaveNoAnswers(Hands):
                 lines = set()
                 for task in tasks.select([group]):
                     if task.kind == "write":
-                        lines |= set().union(*(make.telling_lines(body) for body in reference(task)))
-                text = {functions.squeezed(line) for f in copy.rglob("*") if f.suffix in (".h", ".cpp", ".md", ".py")
-                        for line in f.read_text().split("\n")}
+                        lines |= set().union(
+                            *(make.telling_lines(body) for body in reference(task))
+                        )
+                text = {
+                    functions.squeezed(line)
+                    for f in copy.rglob("*")
+                    if f.suffix in (".h", ".cpp", ".md", ".py")
+                    for line in f.read_text().split("\n")
+                }
                 self.assertEqual(lines & text, set())
 
     def test_the_formulas_stay(self):
         self.assertIn("∂C/∂w = √a n", (self.copy("A1") / "common/math/triangle.h").read_text())
 
     def test_a_copy_that_answers_its_task_is_refused(self):
-        with self.assertRaisesRegex(tasks.TaskError, r"A2.1 is answered by step03_implicit/time_step.h, line \d+"):
+        with self.assertRaisesRegex(
+            tasks.TaskError, r"A2.1 is answered by step03_implicit/time_step.h, line \d+"
+        ):
             self.copy("A2.1", "A3.1")
 
     def test_an_unknown_task_is_refused(self):
@@ -126,7 +137,9 @@ class CopiesHaveNoAnswers(Hands):
             tasks.select(["A9"])
 
     def test_nothing_is_written_into_a_directory_with_files(self):
-        done = subprocess.run([sys.executable, HERE / "make.py", "A1", "--out", HERE], capture_output=True, text=True)
+        done = subprocess.run(
+            [sys.executable, HERE / "make.py", "A1", "--out", HERE], capture_output=True, text=True
+        )
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertIn("is not empty", done.stderr)
 
@@ -140,7 +153,9 @@ class CopiesHaveNoAnswers(Hands):
                     continue
                 endings = [grade.code_of(task, copy, "nobody") for task in chosen]
                 self.assertEqual([e.state for e in endings], [UNWRITTEN] * len(chosen))
-                done = subprocess.run([copy / "check", *(t.id for t in chosen)], capture_output=True, text=True)
+                done = subprocess.run(
+                    [copy / "check", *(t.id for t in chosen)], capture_output=True, text=True
+                )
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn(f"total    0 of {sum(t.points for t in chosen)} points", done.stdout)
                 self.assertFalse((copy / "build").exists())
@@ -150,23 +165,38 @@ class CopiesHaveNoAnswers(Hands):
         for group in GROUPS:
             with self.subTest(group):
                 copy = self.copy(group)
-                for command in (["cmake", "-S", copy, "-B", copy / "build", "-G", "Ninja"],
-                                ["cmake", "--build", copy / "build"]):
-                    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                for command in (
+                    ["cmake", "-S", copy, "-B", copy / "build", "-G", "Ninja"],
+                    ["cmake", "--build", copy / "build"],
+                ):
+                    done = subprocess.run(
+                        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+                    )
                     self.assertEqual(done.returncode, 0, done.stdout)
                     self.assertNotIn("warning:", done.stdout)
-
 
     @unittest.skipUnless(FULL, "--full")
     def test_the_commands_of_its_readme_run(self):
         copy = self.place / "copy"
-        make_it = [sys.executable, HERE / "make.py", "A4", "--with-reference", "A4.2", "--out", copy]
+        make_it = [
+            sys.executable,
+            HERE / "make.py",
+            "A4",
+            "--with-reference",
+            "A4.2",
+            "--out",
+            copy,
+        ]
         subprocess.run(make_it, check=True, stdout=subprocess.DEVNULL)
         self.write_body(copy, "A4.1", reference(EVERY["A4.1"])[0])
-        blocks = re.findall(r"^```sh\n(.*?)^```$", (copy / "README.md").read_text(), re.MULTILINE | re.DOTALL)
+        blocks = re.findall(
+            r"^```sh\n(.*?)^```$", (copy / "README.md").read_text(), re.MULTILINE | re.DOTALL
+        )
         self.assertEqual(len(blocks), 4)
         for block in blocks:
-            done = subprocess.run(["bash", "-e", "-c", block], cwd=copy, capture_output=True, text=True)
+            done = subprocess.run(
+                ["bash", "-e", "-c", block], cwd=copy, capture_output=True, text=True
+            )
             self.assertEqual(done.returncode, 0, block + done.stdout + done.stderr)
         self.assertTrue((copy / "out/step04_cg/report.html").exists())
 
@@ -196,12 +226,17 @@ class Graded(Hands):
 class TheProjectPasses(Graded):
     def test_every_check(self):
         found = self.endings([(task, reference(task)) for task in CODE])
-        self.assertEqual({id: (e.state, e.message) for id, e in found.items()}, {id: (PASSED, "") for id in found})
+        self.assertEqual(
+            {id: (e.state, e.message) for id, e in found.items()},
+            {id: (PASSED, "") for id in found},
+        )
 
     def test_the_hidden_checks(self):
         for task in CODE[:4]:
             for seed in (2, 3):
-                self.assertEqual(runs.run_check(self.workshop.build / "checks" / task.target, seed).state, PASSED)
+                self.assertEqual(
+                    runs.run_check(self.workshop.build / "checks" / task.target, seed).state, PASSED
+                )
 
 
 class MistakesFail(Graded):
@@ -227,11 +262,20 @@ class BadHandInsCostOnlyTheirTask(Graded):
         "crash": ("*static_cast<volatile int*>(nullptr) = 1; return T;", "crashed"),
         "hang": ("for (volatile int i = 0;; i = i + 1) {} return T;", "did not end within"),
         "exit": ("std::exit(0); return T;", "ended before it was done"),
-        "noise": ("for (;;) std::puts(\"[  PASSED  ] 4 tests. passed passed passed\"); return T;", "10 MB|within|before"),
-        "memory": ("std::vector<char> v(std::size_t(1) << 40, 1); return T * v[7];", "bad_alloc|memory|ended"),
+        "noise": (
+            'for (;;) std::puts("[  PASSED  ] 4 tests. passed passed passed"); return T;',
+            "10 MB|within|before",
+        ),
+        "memory": (
+            "std::vector<char> v(std::size_t(1) << 40, 1); return T * v[7];",
+            "bad_alloc|memory|ended",
+        ),
         "recursion": ("return positive_part(Square<2>(T + Square<2>::Ones()));", "crashed"),
-        "forged report": ("std::FILE* f = std::fopen(\"report.xml\", \"w\"); std::fputs(\"<testsuites tests='4'/>\", f); "
-                          "std::fclose(f); std::_Exit(0); return T;", "ended before it was done"),
+        "forged report": (
+            'std::FILE* f = std::fopen("report.xml", "w"); std::fputs("<testsuites tests=\'4\'/>", f); '
+            "std::fclose(f); std::_Exit(0); return T;",
+            "ended before it was done",
+        ),
         "not C++": ("return T +;", "does not compile: .*tension.h.*error"),
     }
 
@@ -257,10 +301,15 @@ class BadHandInsCostOnlyTheirTask(Graded):
 
     def test_what_is_not_taken(self):
         copy = self.copy("A3")
-        for body, words in (('\n#include "/etc/passwd"\n return T;', "line 2: a line that begins with # is not taken"),
-                            ("\n%:include <x>\n", "a line that begins with #"),
-                            ("/* */ # define x\n", "a line that begins with #"),
-                            ('asm(".incbin \\"/etc/passwd\\""); return T;', "the word asm is not taken")):
+        for body, words in (
+            (
+                '\n#include "/etc/passwd"\n return T;',
+                "line 2: a line that begins with # is not taken",
+            ),
+            ("\n%:include <x>\n", "a line that begins with #"),
+            ("/* */ # define x\n", "a line that begins with #"),
+            ('asm(".incbin \\"/etc/passwd\\""); return T;', "the word asm is not taken"),
+        ):
             self.write_body(copy, "A3.3", body)
             ending = grade.code_of(EVERY["A3.3"], copy, "nobody")
             self.assertEqual(ending.state, FAILED)
@@ -270,12 +319,20 @@ class BadHandInsCostOnlyTheirTask(Graded):
     def test_a_function_that_was_removed(self):
         copy = self.copy("A3")
         file = copy / "common/math/tension.h"
-        file.write_text(file.read_text().replace("positive_part(const Square<2>", "other(const Square<2>"))
-        self.assertIn("has no function positive_part", grade.code_of(EVERY["A3.3"], copy, "nobody").message)
+        file.write_text(
+            file.read_text().replace("positive_part(const Square<2>", "other(const Square<2>")
+        )
+        self.assertIn(
+            "has no function positive_part", grade.code_of(EVERY["A3.3"], copy, "nobody").message
+        )
         file.unlink()
-        self.assertIn("no readable common/math/tension.h", grade.code_of(EVERY["A3.3"], copy, "nobody").message)
+        self.assertIn(
+            "no readable common/math/tension.h",
+            grade.code_of(EVERY["A3.3"], copy, "nobody").message,
+        )
 
-    # The grader takes named bodies and helpers.h: a changed check or header of the copy counts for nothing.
+    # The grader takes named bodies and helpers.h: a changed check or header of the copy counts for
+    # nothing.
     def test_other_files_are_not_taken(self):
         copy = self.copy("A3")
         for file in copy.rglob("*.cpp"):
@@ -287,24 +344,37 @@ class BadHandInsCostOnlyTheirTask(Graded):
     def test_a_helper_is_taken(self):
         copy = self.copy("A3")
         helpers = copy / "common/math/helpers.h"
-        helpers.write_text(helpers.read_text() + "inline double larger(double a, double b) { return a > b ? a : b; }\n")
-        self.write_body(copy, "A3.3", reference(EVERY["A3.3"])[0].replace("std::max(mean - r, 0.0)", "larger(mean - r, 0)"))
+        helpers.write_text(
+            helpers.read_text()
+            + "inline double larger(double a, double b) { return a > b ? a : b; }\n"
+        )
+        self.write_body(
+            copy,
+            "A3.3",
+            reference(EVERY["A3.3"])[0].replace("std::max(mean - r, 0.0)", "larger(mean - r, 0)"),
+        )
         found = grade.grade([EVERY["A3.3"], EVERY["A3.1"]], copy, "nobody", 1, self.workshop)
         self.assertEqual([(r.state, r.score) for r in found], [(PASSED, 6), (UNWRITTEN, 0)])
 
 
 class ResultsAreWritten(Hands):
     def found(self):
-        report = ElementTree.fromstring('<testsuites tests="1"><testsuite><testcase name="A" classname="B"><failure '
-                                        'message="x.cpp:1&#10;Failed&#10;f: expected 1, got 2"/></testcase></testsuite></testsuites>')
-        return [results.Result("A1.1", "one", 4, "L.md#a", PASSED),
-                results.Result("A1.2", "two", 5, "L.md#b", FAILED, "f: expected 1, got 2", report),
-                results.Result("A1.3", "three", 6, "L.md#c", UNWRITTEN, "not written yet")]
+        report = ElementTree.fromstring(
+            '<testsuites tests="1"><testsuite><testcase name="A" classname="B"><failure '
+            'message="x.cpp:1&#10;Failed&#10;f: expected 1, got 2"/></testcase></testsuite></testsuites>'
+        )
+        return [
+            results.Result("A1.1", "one", 4, "L.md#a", PASSED),
+            results.Result("A1.2", "two", 5, "L.md#b", FAILED, "f: expected 1, got 2", report),
+            results.Result("A1.3", "three", 6, "L.md#c", UNWRITTEN, "not written yet"),
+        ]
 
     def test_gradescope(self):
         tests = json.loads(results.gradescope(self.found()))["tests"]
-        self.assertEqual([(t["number"], t["score"], t["max_score"]) for t in tests],
-                         [("A1.1", 4, 4), ("A1.2", 0, 5), ("A1.3", 0, 6)])
+        self.assertEqual(
+            [(t["number"], t["score"], t["max_score"]) for t in tests],
+            [("A1.1", 4, 4), ("A1.2", 0, 5), ("A1.3", 0, 6)],
+        )
         self.assertEqual(tests[1]["output"], "f: expected 1, got 2\nRead again: L.md#b")
 
     def test_junit(self):
@@ -322,7 +392,10 @@ class ResultsAreWritten(Hands):
 
     def test_an_exit_code_per_task(self):
         grade.write(self.found(), self.place / "out")
-        self.assertEqual([(self.place / "out" / f"A1.{i}.exit").read_text() for i in (1, 2, 3)], ["0\n", "1\n", "1\n"])
+        self.assertEqual(
+            [(self.place / "out" / f"A1.{i}.exit").read_text() for i in (1, 2, 3)],
+            ["0\n", "1\n", "1\n"],
+        )
 
 
 if __name__ == "__main__":

@@ -40,23 +40,35 @@ def build(target):
     """The output of the build, empty if it succeeded."""
     if not (BUILD / "CMakeCache.txt").exists():
         print("Configuring …", flush=True)
-        done = subprocess.run(["cmake", "-S", COPY, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"],
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        done = subprocess.run(
+            ["cmake", "-S", COPY, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
         if done.returncode:
             sys.exit(f"check: this copy cannot be configured:\n{done.stdout}")
-    done = subprocess.run(["cmake", "--build", BUILD, "--target", target],
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    done = subprocess.run(
+        ["cmake", "--build", BUILD, "--target", target],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
     return done.stdout if done.returncode else ""
 
 
 def answered(task):
-    """Of a task that measures: whether answers.toml has a number. Only the grader knows whether it is right."""
+    """Of a task that measures: whether answers.toml has a number. Only the grader knows whether it
+    is right.
+    """
     try:
         number = answers.number(COPY, task.id)
     except answers.AnswerError as error:
         return runs.Ending(runs.FAILED, str(error))
     has = "no number" if number is None else f"the number {number:g}"
-    return runs.Ending(runs.UNWRITTEN, f"answers.toml has {has} for {task.id}. The grader compares it.")
+    return runs.Ending(
+        runs.UNWRITTEN, f"answers.toml has {has} for {task.id}. The grader compares it."
+    )
 
 
 def check(task):
@@ -75,11 +87,18 @@ def check(task):
 
 def main():
     every = {entry["id"]: Part(entry) for entry in json.loads((HERE / "tasks.json").read_text())}
-    parser = argparse.ArgumentParser(prog="check", description="Builds and runs the checks of tasks.")
-    parser.add_argument("tasks", nargs="*", metavar="TASK", help=f"{', '.join(every)}; without one, all of them")
+    parser = argparse.ArgumentParser(
+        prog="check", description="Builds and runs the checks of tasks."
+    )
+    parser.add_argument(
+        "tasks", nargs="*", metavar="TASK", help=f"{', '.join(every)}; without one, all of them"
+    )
     names = parser.parse_args().tasks or list(every)
     if unknown := [name for name in names if name not in every]:
-        print(f"check: there is no task {unknown[0]} here; there are {', '.join(every)}", file=sys.stderr)
+        print(
+            f"check: there is no task {unknown[0]} here; there are {', '.join(every)}",
+            file=sys.stderr,
+        )
         return 2
     found = [results.result(every[name], check(every[name])) for name in names]
     print(results.table(found))

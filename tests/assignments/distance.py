@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Prints how far two cloths are from each other: python3 measure/distance.py out/one/final.obj out/two/final.obj
 
-The distance of each vertex of one mesh from the same vertex of the other: their root mean square, and the largest.
+The distance of each vertex of one mesh from the same vertex of the other: their root mean square,
+and the largest.
 """
 import math
 import pathlib
@@ -10,13 +11,17 @@ import sys
 
 def vertices(text):
     """The places of the vertices of an OBJ file, m."""
-    return [tuple(map(float, line.split()[1:4])) for line in text.splitlines() if line.startswith("v ")]
+    return [
+        tuple(map(float, line.split()[1:4])) for line in text.splitlines() if line.startswith("v ")
+    ]
 
 
 def distances(a, b):
     """|a_i − b_i| for every vertex i, m."""
     if len(a) != len(b) or not a:
-        raise ValueError(f"the meshes have different numbers of vertices, {len(a)} and {len(b)}, or none")
+        raise ValueError(
+            f"the meshes have different numbers of vertices, {len(a)} and {len(b)}, or none"
+        )
     return [math.dist(p, q) for p, q in zip(a, b)]
 
 

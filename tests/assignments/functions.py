@@ -1,7 +1,7 @@
 """Functions in C++ text: finds them by qualified name, and reads or replaces their bodies.
 
-The text is not parsed as a compiler does. Braces are matched, and the words before an opening brace tell
-whether it begins a namespace, a class, or the body of a function.
+The text is not parsed as a compiler does. Braces are matched, and the words before an opening brace
+tell whether it begins a namespace, a class, or the body of a function.
 """
 import re
 
@@ -10,12 +10,15 @@ class CodeError(Exception):
     """One clear sentence about C++ text that cannot be used."""
 
 
-NOT_CODE = re.compile(r'''
+NOT_CODE = re.compile(
+    r"""
     //[^\n]* | /\*.*?\*/                              # comments
   | R"(?P<mark>[^\s()\\]{0,16})\(.*?\)(?P=mark)"      # raw strings
   | "(?:\\.|[^"\\\n])*"                               # strings
   | (?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'               # characters; not the ' of 1'000
-''', re.VERBOSE | re.DOTALL)
+""",
+    re.VERBOSE | re.DOTALL,
+)
 DIRECTIVE = re.compile(r"^[ \t]*(?:\#|%:)(?:\\\n|[^\n])*", re.MULTILINE)
 OPEN, CLOSE = "([{", ")]}"
 
@@ -25,7 +28,9 @@ def blank(match):
 
 
 def code_only(text):
-    """The text, with blanks for comments, strings, characters and # lines. Every place stays the same."""
+    """The text, with blanks for comments, strings, characters and # lines. Every place stays the
+    same.
+    """
     return DIRECTIVE.sub(blank, NOT_CODE.sub(blank, text))
 
 
@@ -45,8 +50,8 @@ class Function:
 
     def __init__(self, name, parameters, head, begin, end):
         self.name, self.parameters = name, parameters  # step01::act, "const Term& term, …"
-        self.head = head                                # where its declaration begins
-        self.begin, self.end = begin, end               # the body, without its braces
+        self.head = head  # where its declaration begins
+        self.begin, self.end = begin, end  # the body, without its braces
 
     def is_called(self, wanted):
         """wanted: step01::act, or act(const Term if the parameters must tell it from others."""
@@ -84,7 +89,7 @@ def signature(head):
         return None
     close = closing(head, match.end() - 1)
     name = re.sub(r"<[^()]*>", "", match.group(1))
-    return name, head[match.end():close], head[close + 1:].strip()
+    return name, head[match.end() : close], head[close + 1 :].strip()
 
 
 def functions(text):
@@ -108,7 +113,9 @@ def functions(text):
                     head = close + 1
                 elif (parts := signature(words)) and is_body(parts[2]):
                     start = head + len(code[head:i]) - len(code[head:i].lstrip())
-                    found.append(Function("::".join(scope + [parts[0]]), parts[1], start, i + 1, close))
+                    found.append(
+                        Function("::".join(scope + [parts[0]]), parts[1], start, i + 1, close)
+                    )
                     head = close + 1
                 i = close
             i += 1
@@ -127,23 +134,27 @@ def find(text, wanted, where="the text"):
         raise CodeError(f"{where} has no function {wanted}")
     if len(hits) > 1:
         lines = ", ".join(str(text.count("\n", 0, f.head) + 1) for f in hits)
-        raise CodeError(f"{where} has {len(hits)} functions {wanted} (lines {lines}): "
-                        f"name the first parameters too, as in {wanted}({hits[0].parameters.split(',')[0]}")
+        raise CodeError(
+            f"{where} has {len(hits)} functions {wanted} (lines {lines}): "
+            f"name the first parameters too, as in {wanted}({hits[0].parameters.split(',')[0]}"
+        )
     return hits[0]
 
 
 def body(text, wanted, where="the text"):
     function = find(text, wanted, where)
-    return text[function.begin:function.end]
+    return text[function.begin : function.end]
 
 
 def with_body(text, wanted, new, where="the text"):
     """The text, with another body for one function."""
     function = find(text, wanted, where)
-    return text[:function.begin] + new + text[function.end:]
+    return text[: function.begin] + new + text[function.end :]
 
 
 def squeezed(text):
     """The text without comments and spaces: two bodies that differ only in these are the same."""
     comments = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
-    return re.sub(r"\s+", "", NOT_CODE.sub(lambda m: "" if comments.fullmatch(m.group()) else m.group(), text))
+    return re.sub(
+        r"\s+", "", NOT_CODE.sub(lambda m: "" if comments.fullmatch(m.group()) else m.group(), text)
+    )

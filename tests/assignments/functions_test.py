@@ -6,7 +6,7 @@ import unittest
 import functions
 from tasks import SOURCE
 
-TEXT = '''
+TEXT = """
 // int hidden() { return 1; }
 namespace a {
 template <class T, int N = 3>
@@ -24,7 +24,7 @@ void apart() { auto f = [](int i) { return i; }; f(1); }
 }  // namespace a
 int a::Box<int>::outside() const noexcept { return R"(})"[0]; }
 #define LOST() { broken(
-'''
+"""
 
 
 class FindsFunctions(unittest.TestCase):
@@ -32,15 +32,19 @@ class FindsFunctions(unittest.TestCase):
         return [f.name for f in functions.functions(TEXT)]
 
     def test_by_their_qualified_names(self):
-        self.assertEqual(self.names(), ["a::Box::Box", "a::Box::value", "a::twice", "a::twice", "a::apart",
-                                        "a::Box::outside"])
+        self.assertEqual(
+            self.names(),
+            ["a::Box::Box", "a::Box::value", "a::twice", "a::twice", "a::apart", "a::Box::outside"],
+        )
 
     def test_body_is_what_stands_between_the_braces(self):
         self.assertEqual(functions.body(TEXT, "a::Box::Box"), " ++size; ")
         self.assertEqual(functions.body(TEXT, "a::twice(double"), " return 2 * x; ")
 
     def test_refuses_a_name_that_two_functions_have(self):
-        with self.assertRaisesRegex(functions.CodeError, r"x.h has 2 functions a::twice \(lines 11, 12\)"):
+        with self.assertRaisesRegex(
+            functions.CodeError, r"x.h has 2 functions a::twice \(lines 11, 12\)"
+        ):
             functions.find(TEXT, "a::twice", "x.h")
 
     def test_refuses_a_name_that_no_function_has(self):
@@ -57,12 +61,16 @@ class FindsFunctions(unittest.TestCase):
         self.assertEqual(functions.body(changed, "a::apart"), functions.body(TEXT, "a::apart"))
 
     def test_squeezed_bodies_differ_in_code_only(self):
-        self.assertEqual(functions.squeezed("a = 1;  // one\n b( \"//\" );"), 'a=1;b("//");')
+        self.assertEqual(functions.squeezed('a = 1;  // one\n b( "//" );'), 'a=1;b("//");')
 
     # Every brace of the project's code is matched, and each body can be taken out and put back.
     def test_reads_all_code_of_the_project(self):
-        listed = subprocess.run(["git", "ls-files", "*.h", "*.cpp"], cwd=SOURCE, capture_output=True, text=True)
-        files = listed.stdout.split() or [str(f.relative_to(SOURCE)) for f in SOURCE.rglob("common/*/*.h")]
+        listed = subprocess.run(
+            ["git", "ls-files", "*.h", "*.cpp"], cwd=SOURCE, capture_output=True, text=True
+        )
+        files = listed.stdout.split() or [
+            str(f.relative_to(SOURCE)) for f in SOURCE.rglob("common/*/*.h")
+        ]
         count = 0
         for file in files:
             text = (SOURCE / file).read_text()

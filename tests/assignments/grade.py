@@ -3,10 +3,11 @@
 
     python3 tests/assignments/grade.py DIR A3 B3 --student ada --out results/ada
 
-DIR is the student's copy; of it, only the bodies of the named functions, helpers.h, and answers.toml are read.
-For each task the code goes into the project's own, so that a mistake costs one task. Answers are compared with
-what the project's programs measure (measures.py). The result is a table, and in --out: results.json for
-Gradescope, junit.xml, and one file TASK.exit with an exit code for each task.
+DIR is the student's copy; of it, only the bodies of the named functions, helpers.h, and
+answers.toml are read. For each task the code goes into the project's own, so that a mistake costs
+one task. Answers are compared with what the project's programs measure (measures.py). The result is
+a table, and in --out: results.json for Gradescope, junit.xml, and one file TASK.exit with an exit
+code for each task.
 
 Exit code: 0 if all tasks passed, 1 if not, 2 if the command cannot be used.
 """
@@ -37,15 +38,18 @@ class Refused(Exception):
     """What a hand-in must not have, as a sentence."""
 
 
-# What is taken from a hand-in ----------------------------------------------------------------------
+# What is taken from a hand-in ---------------------------------------------------------------------
+
 
 def refuse_forbidden(text, where):
     """Raises Refused for a # line, and for words that make the compiler read other files."""
     code = functions.NOT_CODE.sub(functions.blank, text)
     for number, line in enumerate(code.split("\n"), 1):
         if re.match(r"\s*(#|%:)", line):
-            raise Refused(f"{where}, line {number}: a line that begins with # is not taken: "
-                          f"{text.splitlines()[number - 1].strip()}")
+            raise Refused(
+                f"{where}, line {number}: a line that begins with # is not taken: "
+                f"{text.splitlines()[number - 1].strip()}"
+            )
         if word := re.search(r"\b(asm|__asm|__asm__|_Pragma)\b", line):
             raise Refused(f"{where}, line {number}: the word {word.group()} is not taken")
 
@@ -81,10 +85,13 @@ def handed_helpers(hand_in):
     return "#pragma once\n" + text
 
 
-# The workshop: the project's own code, in which one task at a time is the student's -----------------
+# The workshop: the project's own code, in which one task at a time is the student's
+# -----------------
+
 
 class Workshop:
-    """A copy in which all bodies are the project's. It is made once, and is used for every hand-in."""
+    """A copy in which all bodies are the project's. It is made once, and is used for every hand-in.
+    """
 
     def __init__(self, directory, chosen):
         self.directory, self.build = directory, directory / "build"
@@ -99,7 +106,9 @@ class Workshop:
             yield self
 
     def prepare(self):
-        """Writes the copy and configures it. Files that have not changed keep their time: nothing is rebuilt."""
+        """Writes the copy and configures it. Files that have not changed keep their time: nothing
+        is rebuilt.
+        """
         fresh = self.directory / "fresh"
         shutil.rmtree(fresh, ignore_errors=True)
         make.copy(list(self.chosen.values()), fresh, hand_out=False)
@@ -109,17 +118,34 @@ class Workshop:
                 old.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy2(path, old)
         shutil.rmtree(fresh)
-        self.run("cmake", "-S", self.directory / "copy", "-B", self.build, "-G", "Ninja",
-                 "-DCMAKE_BUILD_TYPE=Release", f"-DHAND_IN={self.hand_in}")
+        self.run(
+            "cmake",
+            "-S",
+            self.directory / "copy",
+            "-B",
+            self.build,
+            "-G",
+            "Ninja",
+            "-DCMAKE_BUILD_TYPE=Release",
+            f"-DHAND_IN={self.hand_in}",
+        )
         # What no student writes is built now, so that it takes no time from the first hand-in.
         common = {"check_main"}.union(*(task.libraries for task in self.chosen.values()))
-        self.run("cmake", "--build", self.build, "--target", *sorted(common), seconds=5 * COMPILE_SECONDS)
+        self.run(
+            "cmake", "--build", self.build, "--target", *sorted(common), seconds=5 * COMPILE_SECONDS
+        )
 
     def run(self, *command, seconds=COMPILE_SECONDS):
         """The output if the command failed, else nothing."""
         try:
-            done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                  errors="replace", timeout=seconds)
+            done = subprocess.run(
+                command,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                text=True,
+                errors="replace",
+                timeout=seconds,
+            )
         except subprocess.TimeoutExpired:
             return f"error: the compiler was still busy after {seconds} seconds"
         return done.stdout if done.returncode else ""
@@ -134,10 +160,21 @@ class Workshop:
         (self.directory / "copy/tests/assignments/checks" / task.check).touch()
 
     def build_together(self, placed):
-        """Builds the checks of several tasks at once, which takes less time. What fails is built again by check()."""
+        """Builds the checks of several tasks at once, which takes less time. What fails is built
+        again by check().
+        """
         if placed:
-            self.run("cmake", "--build", self.build, "--target", *(task.target for task in placed), "--", "-k", "0",
-                     seconds=COMPILE_SECONDS * len(placed))
+            self.run(
+                "cmake",
+                "--build",
+                self.build,
+                "--target",
+                *(task.target for task in placed),
+                "--",
+                "-k",
+                "0",
+                seconds=COMPILE_SECONDS * len(placed),
+            )
 
     def check(self, task, seed):
         if output := self.run("cmake", "--build", self.build, "--target", task.target):
@@ -151,7 +188,8 @@ def shown_error(output, directory):
     return re.sub(re.escape(str(directory)) + r"/(hand_in/[^/]+|copy|build)/", "", error)
 
 
-# Grading -------------------------------------------------------------------------------------------
+# Grading ------------------------------------------------------------------------------------------
+
 
 def project_text(task):
     """The file of a task as the project has it; of an invention, as it was handed out."""
@@ -161,8 +199,10 @@ def project_text(task):
 def is_project(task, bodies):
     """True if every body is the project's own, but for comments and spaces."""
     text = project_text(task)
-    return all(functions.squeezed(body) == functions.squeezed(functions.body(text, name, task.file))
-               for body, name in zip(bodies, task.functions))
+    return all(
+        functions.squeezed(body) == functions.squeezed(functions.body(text, name, task.file))
+        for body, name in zip(bodies, task.functions)
+    )
 
 
 def is_given(task, bodies):
@@ -220,7 +260,7 @@ def grade(chosen, hand_in, student, seed, workshop, build=SOURCE / "build/releas
     return [results.result(task, endings[task.id]) for task in chosen]
 
 
-# Films ---------------------------------------------------------------------------------------------
+# Films --------------------------------------------------------------------------------------------
 
 FILM_SECONDS = 120
 
@@ -233,8 +273,11 @@ def write_films(chosen, hand_in, work, programs, out):
         studio.prepare()
         for task in chosen:
             put_bodies(task, hand_in, studio.directory / "copy")
-        return [sentence for step in sorted({make.PROGRAMS[task.step] for task in chosen})
-                if (sentence := write_film(step, studio, programs, out / "films" / step))]
+        return [
+            sentence
+            for step in sorted({make.PROGRAMS[task.step] for task in chosen})
+            if (sentence := write_film(step, studio, programs, out / "films" / step))
+        ]
 
 
 def put_bodies(task, hand_in, copy):
@@ -256,7 +299,9 @@ def write_film(step, studio, programs, out):
     compare, reference = programs / "tests/frames/compare_runs", programs / step / step
     if not (compare.exists() and reference.exists()):
         return f"No film of {step}: {programs} has no {step} and compare_runs. Build them first."
-    if output := studio.run("cmake", "--build", studio.build, "--target", step, seconds=10 * COMPILE_SECONDS):
+    if output := studio.run(
+        "cmake", "--build", studio.build, "--target", step, seconds=10 * COMPILE_SECONDS
+    ):
         return f"No film of {step}: it does not compile: {shown_error(output, studio.directory)}"
     with tempfile.TemporaryDirectory() as place:
         run = pathlib.Path(place) / "run"
@@ -264,19 +309,30 @@ def write_film(step, studio, programs, out):
         shutil.copy2(studio.build / step / step, run / "program")
         shutil.copy2(SOURCE / step / "scene.toml", run)
         output = pathlib.Path(place) / "output"
-        code, late = runs.run_apart(["./program", "scene.toml", "--out", "yours", *make.FILM], run, output, FILM_SECONDS)
+        code, late = runs.run_apart(
+            ["./program", "scene.toml", "--out", "yours", *make.FILM], run, output, FILM_SECONDS
+        )
         if code or late:
-            return f"No film of {step}: the run ended with exit code {code}: {runs.last_line(output)}"
-        subprocess.run([reference, "--out", run / "reference", *make.FILM], check=True, stdout=subprocess.DEVNULL)
+            return (
+                f"No film of {step}: the run ended with exit code {code}: {runs.last_line(output)}"
+            )
+        subprocess.run(
+            [reference, "--out", run / "reference", *make.FILM],
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
         out.mkdir(parents=True, exist_ok=True)
         for name in ("reference", "yours"):
             shutil.copytree(run / name, out / name, dirs_exist_ok=True)
-    subprocess.run([compare, out / "reference", out / "yours", "--html", out / "report.html"],
-                   stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [compare, out / "reference", out / "yours", "--html", out / "report.html"],
+        stdout=subprocess.DEVNULL,
+    )
     return ""
 
 
-# Results -------------------------------------------------------------------------------------------
+# Results ------------------------------------------------------------------------------------------
+
 
 def write(found, out):
     out.mkdir(parents=True, exist_ok=True)
@@ -289,16 +345,37 @@ def write(found, out):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("hand_in", type=pathlib.Path, metavar="DIR", help="the student's copy")
-    parser.add_argument("tasks", nargs="+", metavar="TASK", help="A3.2, or A3 for all that begin so")
-    parser.add_argument("--student", default="nobody", metavar="ID", help="whose numbers the tasks C and D have")
-    parser.add_argument("--hidden", type=int, default=1, metavar="SEED", help="other random numbers in the checks")
-    parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="where results.json and junit.xml go")
-    parser.add_argument("--work", type=pathlib.Path, default=SOURCE / "build/assignments", metavar="DIR",
-                        help="where the project is built for the checks (default: %(default)s)")
-    parser.add_argument("--frames", action="store_true",
-                        help="write films of the student's programs beside the project's into --out")
-    parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build/release", metavar="DIR",
-                        help="where the project is built (default: %(default)s)")
+    parser.add_argument(
+        "tasks", nargs="+", metavar="TASK", help="A3.2, or A3 for all that begin so"
+    )
+    parser.add_argument(
+        "--student", default="nobody", metavar="ID", help="whose numbers the tasks C and D have"
+    )
+    parser.add_argument(
+        "--hidden", type=int, default=1, metavar="SEED", help="other random numbers in the checks"
+    )
+    parser.add_argument(
+        "--out", type=pathlib.Path, metavar="DIR", help="where results.json and junit.xml go"
+    )
+    parser.add_argument(
+        "--work",
+        type=pathlib.Path,
+        default=SOURCE / "build/assignments",
+        metavar="DIR",
+        help="where the project is built for the checks (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--frames",
+        action="store_true",
+        help="write films of the student's programs beside the project's into --out",
+    )
+    parser.add_argument(
+        "--build",
+        type=pathlib.Path,
+        default=SOURCE / "build/release",
+        metavar="DIR",
+        help="where the project is built (default: %(default)s)",
+    )
     options = parser.parse_args()
     if options.frames and not options.out:
         raise tasks.TaskError("--frames needs --out DIR, where the films go")
@@ -306,17 +383,24 @@ def main():
         raise tasks.TaskError(f"{options.hand_in} is not a directory")
     chosen = tasks.select(options.tasks)
     if not runs.sandbox():
-        print("grade.py: bubblewrap does not work here: the code of students runs with your rights, "
-              "and can read your files", file=sys.stderr)
+        print(
+            "grade.py: bubblewrap does not work here: the code of students runs with your rights, "
+            "and can read your files",
+            file=sys.stderr,
+        )
     with Workshop(options.work, chosen).locked() as workshop:
         workshop.prepare()
-        found = grade(chosen, options.hand_in, options.student, options.hidden, workshop, options.build)
+        found = grade(
+            chosen, options.hand_in, options.student, options.hidden, workshop, options.build
+        )
     print(results.table(found))
     if options.out:
         write(found, options.out)
     if options.frames:
         code = [task for task in chosen if task.check]
-        for sentence in write_films(code, options.hand_in, options.work, options.build, options.out):
+        for sentence in write_films(
+            code, options.hand_in, options.work, options.build, options.out
+        ):
             print(sentence)
     return 0 if all(r.state == PASSED for r in found) else 1
 

@@ -3,8 +3,8 @@
 
     python3 tests/assignments/inventions_test.py [--full] [unittest's options]
 
-An answer compiles in five to fifteen seconds. So only a few are tried; --full: all answers for two students, and all
-mistakes, some ten minutes.
+An answer compiles in five to fifteen seconds. So only a few are tried; --full: all answers for two
+students, and all mistakes, some ten minutes.
 """
 import os
 import pathlib
@@ -22,7 +22,10 @@ from runs import FAILED, PASSED, UNWRITTEN
 from tasks import HERE, SOURCE
 
 FULL = "--full" in sys.argv
-WORK = pathlib.Path(os.environ.get("ASSIGNMENTS_WORK", SOURCE / "build/assignments_test")) / "inventions"
+WORK = (
+    pathlib.Path(os.environ.get("ASSIGNMENTS_WORK", SOURCE / "build/assignments_test"))
+    / "inventions"
+)
 INVENTED = [task for task in tasks.load_all().values() if task.kind == "invent"]
 STUDENTS = ["ada", "emmy"] if FULL else ["ada"]
 # Without --full: an answer on a triangle, and mistakes in what compiles fast.
@@ -41,7 +44,9 @@ class Answer:
 
     def with_change(self, cut, new):
         """The bodies with `new` for a text that one of them has once."""
-        assert sum(body.count(cut) for body in self.bodies) == 1, f"the bodies do not have once: {cut}"
+        assert (
+            sum(body.count(cut) for body in self.bodies) == 1
+        ), f"the bodies do not have once: {cut}"
         return [body.replace(cut, new) for body in self.bodies]
 
 
@@ -73,9 +78,11 @@ class Inventions(unittest.TestCase):
 
     def test_every_mistake_fails_with_its_own_sentence(self):
         for task in MISTAKEN:
-            for mistake in Answer(task).mistakes[:None if FULL else 1]:
+            for mistake in Answer(task).mistakes[: None if FULL else 1]:
                 with self.subTest(task.id, mistake=mistake["name"]):
-                    found = self.ending(task, Answer(task).with_change(mistake["cut"], mistake["with"]))
+                    found = self.ending(
+                        task, Answer(task).with_change(mistake["cut"], mistake["with"])
+                    )
                     self.assertEqual(found.state, FAILED)
                     self.assertIn(mistake["says"], found.message)
 
@@ -83,7 +90,9 @@ class Inventions(unittest.TestCase):
     def test_the_numbers_of_another_student_fail(self):
         for task in INVENTED:
             with self.subTest(task.id):
-                found = self.ending(task, [other_number(task, body) for body in Answer(task).bodies])
+                found = self.ending(
+                    task, [other_number(task, body) for body in Answer(task).bodies]
+                )
                 self.assertEqual(found.state, FAILED)
                 self.assertIn("expected", found.message)
 
@@ -120,7 +129,9 @@ class HandsOut(unittest.TestCase):
             self.hand_in(task)
             found = grade.code_of(task, self.copy, "ada")
             self.assertEqual(found.state, FAILED, task.id)
-            self.assertIn("a line that begins with # is not taken: #include <unsupported/Eigen", found.message)
+            self.assertIn(
+                "a line that begins with # is not taken: #include <unsupported/Eigen", found.message
+            )
 
     def test_no_copy_has_an_answer(self):
         answers = {functions.squeezed(body) for task in INVENTED for body in Answer(task).bodies}
@@ -142,7 +153,9 @@ class HandsOut(unittest.TestCase):
         cloth = (self.copy / "common/math/cloth.h").read_text()
         for task in INVENTED:
             if task.term:
-                self.assertRegex(cloth, rf"using {task.list} =\s*Family<[^;]*\b{task.term}\b[^;]*>;")
+                self.assertRegex(
+                    cloth, rf"using {task.list} =\s*Family<[^;]*\b{task.term}\b[^;]*>;"
+                )
 
 
 if __name__ == "__main__":

@@ -2,10 +2,11 @@
 """Writes a copy of the project in which the functions of some tasks are missing.
 
     python3 tests/assignments/make.py A3.1 A3.2 --out DIR        two tasks
-    python3 tests/assignments/make.py A1 B1 C1 --student ada     all tasks A1.…, B1.…, and C1.… for one student
+    python3 tests/assignments/make.py A1 C1 --student ada --out DIR     all tasks A1.… and C1.…
 
-DIR is complete: a student needs nothing else but the Debian packages of the project. It has the checks of the
-tasks, `check A3.1`, and a README. A task is refused if another file of the copy answers it.
+DIR is complete: a student needs nothing else but the Debian packages of the project. It has the
+checks of the tasks, `check A3.1`, and a README. A task is refused if another file of the copy
+answers it.
 """
 import argparse
 import json
@@ -21,14 +22,26 @@ import results
 import tasks
 from tasks import HERE, SOURCE, TaskError
 
-PROGRAMS = {1: "step01_explicit", 2: "step02_damping", 3: "step03_implicit", 4: "step04_cg", 5: "step05_bend"}
-STUDENT_FILES = {"helpers.h": "common/math/helpers.h", "not_written.h": "common/math/not_written.h",
-                 "checks.cmake": "tests/assignments/checks.cmake", "check": "check", "Containerfile": "Containerfile"}
+PROGRAMS = {
+    1: "step01_explicit",
+    2: "step02_damping",
+    3: "step03_implicit",
+    4: "step04_cg",
+    5: "step05_bend",
+}
+STUDENT_FILES = {
+    "helpers.h": "common/math/helpers.h",
+    "not_written.h": "common/math/not_written.h",
+    "checks.cmake": "tests/assignments/checks.cmake",
+    "check": "check",
+    "Containerfile": "Containerfile",
+}
 FILM = ["--size", "640x360", "--export", "obj"]  # of the run that a student compares with
 TOOLS = ["answers.py", "functions.py", "runs.py", "results.py", "check.py"]
 
 
-# The files of a copy -------------------------------------------------------------------------------
+# The files of a copy ------------------------------------------------------------------------------
+
 
 def included(path, roots):
     """The project's files that a file includes, directly or not."""
@@ -46,13 +59,17 @@ def included(path, roots):
 def files_of(chosen):
     """The files that the tasks need, as paths below SOURCE."""
     files = {SOURCE / name for name in ("LICENSE", ".clang-format")}
-    files |= {f for f in (SOURCE / "common").rglob("*") if f.is_file() and "__pycache__" not in f.parts}
+    files |= {
+        f for f in (SOURCE / "common").rglob("*") if f.is_file() and "__pycache__" not in f.parts
+    }
     for step in {task.step for task in chosen}:
         files |= {f for f in (SOURCE / PROGRAMS[step]).rglob("*") if f.is_file()}
     checks = HERE / "checks"
     for task in chosen:
         if task.check:
-            files |= {checks / task.check} | included(checks / task.check, [SOURCE, SOURCE / "tests"])
+            files |= {checks / task.check} | included(
+                checks / task.check, [SOURCE, SOURCE / "tests"]
+            )
     files |= {checks / "main.cpp"} | included(checks / "main.cpp", [SOURCE / "tests"])
     files |= files_of_compare_runs()
     return sorted(f.relative_to(SOURCE) for f in files)
@@ -66,17 +83,24 @@ def files_of_compare_runs():
     return {listed} | sources | headers | {f for f in (frames / "page").rglob("*") if f.is_file()}
 
 
-# Answers that stand elsewhere ----------------------------------------------------------------------
+# Answers that stand elsewhere ---------------------------------------------------------------------
+
 
 def telling_lines(body):
     """The lines of a body that give an answer away, without spaces."""
     lines = [functions.squeezed(line) for line in body.split("\n")]
-    return {line for line in lines if len(line) >= 24 and not line.startswith(("for(", "if(", "const auto"))}
+    return {
+        line
+        for line in lines
+        if len(line) >= 24 and not line.startswith(("for(", "if(", "const auto"))
+    }
 
 
 def without_answers(lesson, lines):
     """A lesson whose blocks of code have … in place of telling lines."""
-    return "\n".join("…" if functions.squeezed(line) in lines else line for line in lesson.split("\n"))
+    return "\n".join(
+        "…" if functions.squeezed(line) in lines else line for line in lesson.split("\n")
+    )
 
 
 def refuse_answers(out, answers):
@@ -87,24 +111,34 @@ def refuse_answers(out, answers):
         for number, line in enumerate(path.read_text().split("\n"), 1):
             for task, lines in answers.items():
                 if functions.squeezed(line) in lines:
-                    raise TaskError(f"{task} is answered by {path.relative_to(out)}, line {number}: {line.strip()}\n"
-                                    "Hand out tasks of one step together, or only one of the two tasks.")
+                    raise TaskError(
+                        f"{task} is answered by {path.relative_to(out)}, line {number}: {line.strip()}\n"
+                        "Hand out tasks of one step together, or only one of the two tasks."
+                    )
 
 
-# The copy ------------------------------------------------------------------------------------------
+# The copy -----------------------------------------------------------------------------------------
+
 
 def numbers_header(task, student):
     """The numbers of one student, as a header."""
-    lines = [f"inline constexpr double {name} = {value!r};" for name, value in task.numbers(student).items()]
+    lines = [
+        f"inline constexpr double {name} = {value!r};"
+        for name, value in task.numbers(student).items()
+    ]
     return "// The numbers of one student.\n#pragma once\n\n" + "\n".join(lines) + "\n"
 
 
 def add_term(cloth_h, task):
     """math/cloth.h, with the invented term at the end of its list: all steps then have it."""
-    text, count = re.subn(rf"(using {task.list} =\s*Family<[^;]*)>;", rf"\1, {task.term}>;", cloth_h)
+    text, count = re.subn(
+        rf"(using {task.list} =\s*Family<[^;]*)>;", rf"\1, {task.term}>;", cloth_h
+    )
     if count != 1:
         raise TaskError(f"tasks/{task.id}.toml: math/cloth.h has no list {task.list}")
-    return text.replace('#include "math/triangle.h"', f'#include "math/triangle.h"\n#include "{task.file}"', 1)
+    return text.replace(
+        '#include "math/triangle.h"', f'#include "math/triangle.h"\n#include "{task.file}"', 1
+    )
 
 
 def add_invention(task, out, student):
@@ -118,12 +152,18 @@ def add_invention(task, out, student):
 
 
 def add_reference(chosen, out, programs):
-    """reference/STEP: the films of the project, if its programs are built. Returns the steps that have none."""
+    """reference/STEP: the films of the project, if its programs are built. Returns the steps that
+    have none.
+    """
     missing = []
     for step in sorted({PROGRAMS[task.step] for task in chosen}):
         program = programs / step / step
         if program.exists():
-            subprocess.run([program, "--out", out / "reference" / step, *FILM], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run(
+                [program, "--out", out / "reference" / step, *FILM],
+                check=True,
+                stdout=subprocess.DEVNULL,
+            )
         else:
             missing.append(step)
     return missing
@@ -163,11 +203,15 @@ def copy_files(chosen, out):
         (out / place).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(source, out / place)
     types = out / "common/math/types.h"
-    types.write_text(types.read_text() + '\n#include "math/helpers.h"\n#include "math/not_written.h"\n')
+    types.write_text(
+        types.read_text() + '\n#include "math/helpers.h"\n#include "math/not_written.h"\n'
+    )
 
 
 def take_bodies(task, out):
-    """Puts what is handed out in place of the bodies. Returns the telling lines that this takes away."""
+    """Puts what is handed out in place of the bodies. Returns the telling lines that this takes
+    away.
+    """
     taken = set()
     if task.kind == "invent":
         return taken
@@ -188,15 +232,28 @@ def take_quotes(out, lines):
 def write_tasks(chosen, out, student):
     """The files of the copy that name the tasks: tasks.json, CMakeLists.txt and README.md."""
     public = [public_part(task, out) for task in chosen]
-    (out / "tests/assignments/tasks.json").write_text(json.dumps(public, indent=1, ensure_ascii=False) + "\n")
+    (out / "tests/assignments/tasks.json").write_text(
+        json.dumps(public, indent=1, ensure_ascii=False) + "\n"
+    )
     steps = sorted({PROGRAMS[task.step] for task in chosen})
     checks = [" ".join([task.id, task.check, *task.libraries]) for task in chosen if task.check]
-    fill("CMakeLists.txt", out, steps="\n".join(f"add_subdirectory({step} EXCLUDE_FROM_ALL)" for step in steps),
-         checks="\n".join(f"check({check})" for check in checks))
+    fill(
+        "CMakeLists.txt",
+        out,
+        steps="\n".join(f"add_subdirectory({step} EXCLUDE_FROM_ALL)" for step in steps),
+        checks="\n".join(f"check({check})" for check in checks),
+    )
     measured = any(task.kind == "measure" for task in chosen)
-    fill("README.md", out, first=chosen[0].id, points=str(sum(task.points for task in chosen)), count=str(len(chosen)),
-         answers=" and answers.toml" if measured else "", see="\n".join(see(step) for step in steps),
-         tasks="\n".join(section(task, student) for task in chosen))
+    fill(
+        "README.md",
+        out,
+        first=chosen[0].id,
+        points=str(sum(task.points for task in chosen)),
+        count=str(len(chosen)),
+        answers=" and answers.toml" if measured else "",
+        see="\n".join(see(step) for step in steps),
+        tasks="\n".join(section(task, student) for task in chosen),
+    )
 
 
 def see(step):
@@ -205,51 +262,86 @@ def see(step):
 
 
 def public_part(task, out):
-    """What the copy tells of a task: nothing of its answer. `given`: the bodies that were handed out."""
+    """What the copy tells of a task: nothing of its answer. `given`: the bodies that were handed
+    out.
+    """
     text = (out / task.file).read_text() if task.file else ""
     given = [results.fingerprint(functions.body(text, name, task.file)) for name in task.functions]
-    return {"id": task.id, "kind": task.kind, "title": task.title, "points": task.points, "file": task.file,
-            "functions": task.functions, "lesson": task.lesson, "hint": task.hint, "given": given}
+    return {
+        "id": task.id,
+        "kind": task.kind,
+        "title": task.title,
+        "points": task.points,
+        "file": task.file,
+        "functions": task.functions,
+        "lesson": task.lesson,
+        "hint": task.hint,
+        "given": given,
+    }
 
 
 def table_of_tasks():
     kinds = {"write": "write", "mend": "find the mistake", "measure": "measure", "invent": "invent"}
     lines = ["| task | kind | points | minutes | title |", "|---|---|---|---|---|"]
-    lines += [f"| {t.id} | {kinds[t.kind]} | {t.points} | {t.minutes} | {t.title} |" for t in tasks.load_all().values()]
+    lines += [
+        f"| {t.id} | {kinds[t.kind]} | {t.points} | {t.minutes} | {t.title} |"
+        for t in tasks.load_all().values()
+    ]
     return "\n".join(lines)
 
 
 def section(task, student):
     """The task in the README of the copy."""
-    ask = {"write": "Write `{f}` in [{file}]({file}).", "invent": "{q}\n\nWrite `{f}` in [{file}]({file}).",
-           "mend": "`{f}` in [{file}]({file}) has a mistake. Find it and mend it.",
-           "measure": "{q}\n\nThe scene: `build/{p}/{p} measure/{id}/scene.toml --no-pictures`. Write your answer into "
-                      "[answers.toml](answers.toml)."}[task.kind]
+    ask = {
+        "write": "Write `{f}` in [{file}]({file}).",
+        "invent": "{q}\n\nWrite `{f}` in [{file}]({file}).",
+        "mend": "`{f}` in [{file}]({file}) has a mistake. Find it and mend it.",
+        "measure": "{q}\n\nThe scene: `build/{p}/{p} measure/{id}/scene.toml --no-pictures`. Write your answer into "
+        "[answers.toml](answers.toml).",
+    }[task.kind]
     names = "`, `".join(re.sub(r"\(.*", "", f) for f in task.functions)
     question = task.question.strip().format(**task.numbers(student)) if task.question else ""
-    return (f"### {task.id} · {task.title} ({task.points} points, about {task.minutes} minutes)\n\n"
-            + ask.format(f=names, file=task.file, q=question, p=PROGRAMS[task.step], id=task.id)
-            + f" The lesson: [{task.lesson}]({task.lesson}).\n\n"
-            f"<details><summary>A hint</summary>\n\n{task.hint}\n\n</details>\n")
+    return (
+        f"### {task.id} · {task.title} ({task.points} points, about {task.minutes} minutes)\n\n"
+        + ask.format(f=names, file=task.file, q=question, p=PROGRAMS[task.step], id=task.id)
+        + f" The lesson: [{task.lesson}]({task.lesson}).\n\n"
+        f"<details><summary>A hint</summary>\n\n{task.hint}\n\n</details>\n"
+    )
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0],
-                                     epilog="Tasks: " + ", ".join(tasks.load_all()) + ".")
-    parser.add_argument("tasks", nargs="*", metavar="TASK", help="A3.2, or A3 for all that begin so")
+    parser = argparse.ArgumentParser(
+        description=__doc__.split("\n")[0], epilog="Tasks: " + ", ".join(tasks.load_all()) + "."
+    )
+    parser.add_argument(
+        "tasks", nargs="*", metavar="TASK", help="A3.2, or A3 for all that begin so"
+    )
     parser.add_argument("--list", action="store_true", help="print a table of all tasks")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR", help="a new directory")
-    parser.add_argument("--student", default="nobody", metavar="ID",
-                        help="chooses the numbers of the tasks C and D")
-    parser.add_argument("--with-reference", nargs="+", default=[], metavar="TASK",
-                        help="these tasks are not asked for: their functions are the project's")
-    parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build/release", metavar="DIR",
-                        help="where the project is built; its programs make the reference films (default: %(default)s)")
+    parser.add_argument(
+        "--student", default="nobody", metavar="ID", help="chooses the numbers of the tasks C and D"
+    )
+    parser.add_argument(
+        "--with-reference",
+        nargs="+",
+        default=[],
+        metavar="TASK",
+        help="these tasks are not asked for: their functions are the project's",
+    )
+    parser.add_argument(
+        "--build",
+        type=pathlib.Path,
+        default=SOURCE / "build/release",
+        metavar="DIR",
+        help="where the project is built; its programs make the reference films (default: %(default)s)",
+    )
     options = parser.parse_args()
     if options.list:
         return print(table_of_tasks())
     if not (options.tasks and options.out):
-        raise TaskError("name the tasks and a new directory, as in A3.1 A3.2 --out DIR; --list lists the tasks")
+        raise TaskError(
+            "name the tasks and a new directory, as in A3.1 A3.2 --out DIR; --list lists the tasks"
+        )
     if options.out.exists() and any(options.out.iterdir()):
         raise TaskError(f"{options.out} is not empty; --out needs a new directory")
     unfinished = options.out.with_name(options.out.name + ".unfinished")
@@ -265,9 +357,13 @@ def main():
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
     for step in missing:
-        print(f"{options.out} has no reference film of {step}: build it first with "
-              "cmake --preset release && cmake --build --preset release --target " + step)
-    print(f"{options.out}: {len(chosen)} tasks, {sum(t.points for t in chosen)} points. Its README says how to begin.")
+        print(
+            f"{options.out} has no reference film of {step}: build it first with "
+            "cmake --preset release && cmake --build --preset release --target " + step
+        )
+    print(
+        f"{options.out}: {len(chosen)} tasks, {sum(t.points for t in chosen)} points. Its README says how to begin."
+    )
 
 
 if __name__ == "__main__":

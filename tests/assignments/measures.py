@@ -1,17 +1,18 @@
 """The tasks that measure: the scene of each student, and the answer that the grader expects.
 
-A task C1.1 has a class here. It is made from the numbers of one student (`given` of tasks/C1.1.toml), writes the
-scene, and knows the answer: by a formula where there is one, and else by runs of the project's programs. A new
-task needs such a class, a line in MEASURES and its file in tasks/.
+A task C1.1 has a class here. It is made from the numbers of one student (`given` of
+tasks/C1.1.toml), writes the scene, and knows the answer: by a formula where there is one, and else
+by runs of the project's programs. A new task needs such a class, a line in MEASURES and its file in
+tasks/.
 
-An answer that is wrong is called too large or too small, with the tolerance and its reason. The expected number is
-not printed, because a student may hand in again. (By many hand-ins a student can close in on it. Limit their
-number, if that matters.)
+An answer that is wrong is called too large or too small, with the tolerance and its reason. The
+expected number is not printed, because a student may hand in again. (By many hand-ins a student can
+close in on it. Limit their number, if that matters.)
 
 The numbers follow from the text of --student and from nothing else. An instructor who grades with
---student "ada 7f3k", the ID and a secret word, has numbers that nobody can compute before they are handed out. A
-student who has the scene can still read here how the grader finds the answer, and do the same: that is a
-measurement, too.
+--student "ada 7f3k", the ID and a secret word, has numbers that nobody can compute before they are
+handed out. A student who has the scene can still read here how the grader finds the answer, and do
+the same: that is a measurement, too.
 """
 import csv
 import dataclasses
@@ -30,17 +31,21 @@ import distance
 from runs import FAILED, PASSED, UNWRITTEN, Ending
 from tasks import HERE, TaskError
 
-SECONDS = 60                 # for one run
+SECONDS = 60  # for one run
 
 
-# Answers -------------------------------------------------------------------------------------------
+# Answers ------------------------------------------------------------------------------------------
+
 
 @dataclasses.dataclass(frozen=True)
 class Answer:
-    """The number that is expected, others that are as right, and how far from one of them is right, too."""
-    values: tuple            # the expected one first
-    share: float             # of a value
-    why: str                 # a sentence: how much is allowed, and for which reason
+    """The number that is expected, others that are as right, and how far from one of them is right,
+    too.
+    """
+
+    values: tuple  # the expected one first
+    share: float  # of a value
+    why: str  # a sentence: how much is allowed, and for which reason
 
     def accepts(self, number):
         return any(abs(number - value) <= self.share * value for value in self.values)
@@ -57,14 +62,16 @@ def within(value, share, reason):
     return Answer((value,), share, f"{100 * share:g} % are allowed: {reason}.")
 
 
-# Runs ----------------------------------------------------------------------------------------------
+# Runs ---------------------------------------------------------------------------------------------
+
 
 @dataclasses.dataclass(frozen=True)
 class Run:
     """What a run printed and wrote."""
+
     output: str
-    log: list                # a row for each frame: column → number
-    vertices: list           # at the end, m
+    log: list  # a row for each frame: column → number
+    vertices: list  # at the end, m
 
 
 class Programs:
@@ -74,26 +81,40 @@ class Programs:
         self.build = pathlib.Path(build)
 
     def run(self, program, scene, *options):
-        """Runs a scene, given as text. It may explode; TaskError if the program is not built, or fails otherwise."""
+        """Runs a scene, given as text. It may explode; TaskError if the program is not built, or
+        fails otherwise.
+        """
         path = self.build / program / program
         if not path.exists():
-            raise TaskError(f"{path} is not built: cmake --build {self.build} --target {program}, or name another "
-                            "directory with --build")
+            raise TaskError(
+                f"{path} is not built: cmake --build {self.build} --target {program}, or name another "
+                "directory with --build"
+            )
         with tempfile.TemporaryDirectory() as place:
             file, out = pathlib.Path(place) / "scene.toml", pathlib.Path(place) / "out"
             file.write_text(scene)
             words = [path, file, "--no-pictures", "--out", out, *map(str, options)]
             try:
-                done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                      timeout=SECONDS)
+                done = subprocess.run(
+                    words,
+                    stdout=subprocess.PIPE,
+                    stderr=subprocess.STDOUT,
+                    text=True,
+                    timeout=SECONDS,
+                )
             except subprocess.TimeoutExpired:
                 raise TaskError(f"{program} did not end within {SECONDS} seconds") from None
             if done.returncode and "exploded" not in done.stdout:
                 raise TaskError(f"{program} failed on the scene of a task: {done.stdout.strip()}")
             with open(out / "log.csv") as log:
-                rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(log)]
+                rows = [
+                    {name: float(value) for name, value in row.items()}
+                    for row in csv.DictReader(log)
+                ]
             mesh = out / "final.obj"
-            return Run(done.stdout, rows, distance.vertices(mesh.read_text()) if mesh.exists() else [])
+            return Run(
+                done.stdout, rows, distance.vertices(mesh.read_text()) if mesh.exists() else []
+            )
 
 
 def no_answer(what):
@@ -109,7 +130,9 @@ def first(found, what):
 
 
 def crossing(f, target, low, high):
-    """Where f, a falling function of ln x, is the target: intervals are halved, and the last one is a line."""
+    """Where f, a falling function of ln x, is the target: intervals are halved, and the last one is
+    a line.
+    """
     f_low, f_high = f(low), f(high)
     if not f_low >= target >= f_high:
         raise no_answer(f"{target:g} is not between {f_high:g} and {f_low:g}")
@@ -122,11 +145,21 @@ def crossing(f, target, low, high):
     return low * (high / low) ** ((f_low - target) / (f_low - f_high))
 
 
-# Scenes --------------------------------------------------------------------------------------------
+# Scenes -------------------------------------------------------------------------------------------
 
-UNITS = {"cloth.size": "m", "cloth.density": "kg/m²", "gravity.g": "m/s²", "stretch.k": "N/m", "shear.k": "N/m",
-         "bend.k": "N·m", "damping.stretch": "N·s/m", "damping.shear": "N·s/m", "start.velocity": "m/s",
-         "time.h": "s", "time.end": "s"}
+UNITS = {
+    "cloth.size": "m",
+    "cloth.density": "kg/m²",
+    "gravity.g": "m/s²",
+    "stretch.k": "N/m",
+    "shear.k": "N/m",
+    "bend.k": "N·m",
+    "damping.stretch": "N·s/m",
+    "damping.shear": "N·s/m",
+    "start.velocity": "m/s",
+    "time.h": "s",
+    "time.end": "s",
+}
 GRAVITY = {"g": 9.81}
 
 
@@ -144,8 +177,11 @@ def line(table, key, value):
 
 def scene(**tables):
     """The text of a scene.toml: table = {key: value}. A table without keys is left out."""
-    return "".join("\n".join([f"[{table}]", *(line(table, *entry) for entry in entries.items())]) + "\n"
-                   for table, entries in tables.items() if entries)
+    return "".join(
+        "\n".join([f"[{table}]", *(line(table, *entry) for entry in entries.items())]) + "\n"
+        for table, entries in tables.items()
+        if entries
+    )
 
 
 def threads(k, share=0.5):
@@ -155,15 +191,24 @@ def threads(k, share=0.5):
 
 def square(n, diagonals="alternating"):
     """The table of a cloth that hangs by its two upper corners."""
-    return {"size": [n.size, n.size], "cells": [n.cells, n.cells], "diagonals": diagonals, "density": n.density,
-            "pins": ["top left", "top right"]}
+    return {
+        "size": [n.size, n.size],
+        "cells": [n.cells, n.cells],
+        "diagonals": diagonals,
+        "density": n.density,
+        "pins": ["top left", "top right"],
+    }
 
 
 def strip(n, cells, share, pins):
     """The table of a strip along u of square cells, whose width is about a share of its length."""
     rows = max(1, round(share * cells))
-    return {"size": [n.length, n.length * rows / cells], "cells": [cells, rows], "density": n.density,
-            "pins": pins(rows)}
+    return {
+        "size": [n.length, n.length * rows / cells],
+        "cells": [cells, rows],
+        "density": n.density,
+        "pins": pins(rows),
+    }
 
 
 class Measure:
@@ -176,7 +221,8 @@ class Measure:
         self.n = types.SimpleNamespace(**numbers)
 
 
-# Step 1 --------------------------------------------------------------------------------------------
+# Step 1 -------------------------------------------------------------------------------------------
+
 
 def critical_step(programs, scene):
     """h_crit in s, as step 1 prints it."""
@@ -191,32 +237,53 @@ class StableStiffness(Measure):
 
     def scene(self):
         n = self.n
-        return scene(cloth=square(n, n.diagonals), gravity=GRAVITY, **threads(self.k, n.share),
-                     time={"h": n.h, "end": 0.5})
+        return scene(
+            cloth=square(n, n.diagonals),
+            gravity=GRAVITY,
+            **threads(self.k, n.share),
+            time={"h": n.h, "end": 0.5},
+        )
 
     def answer(self, programs):
-        return within(self.k * (critical_step(programs, self.scene()) / self.n.h)**2, 0.01,
-                      "h_crit comes from a power iteration that stops at 1e-4, and k contains its square")
+        return within(
+            self.k * (critical_step(programs, self.scene()) / self.n.h) ** 2,
+            0.01,
+            "h_crit comes from a power iteration that stops at 1e-4, and k contains its square",
+        )
 
 
 class Explosion(Measure):
     """When a run beyond h_crit has pulled a thread to twice its length."""
 
     def scene(self):
-        return scene(cloth=square(self.n), gravity=GRAVITY, **threads(self.n.k), time={"h": 1e-4, "end": 0.01})
+        return scene(
+            cloth=square(self.n),
+            gravity=GRAVITY,
+            **threads(self.n.k),
+            time={"h": 1e-4, "end": 0.01},
+        )
 
     def answer(self, programs):
         steps = 150
         h = self.n.factor * critical_step(programs, self.scene())
-        log = programs.run("step01_explicit", self.scene(), "--h", h, "--end", steps * h, "--frames", steps).log
-        step = first((i for i, row in enumerate(log) if row["max_stretch"] > 2), f"no explosion in {steps} steps")
+        log = programs.run(
+            "step01_explicit", self.scene(), "--h", h, "--end", steps * h, "--frames", steps
+        ).log
+        step = first(
+            (i for i, row in enumerate(log) if row["max_stretch"] > 2),
+            f"no explosion in {steps} steps",
+        )
         allowed = max(1.5, 0.04 * step)
-        return Answer((step * h,), allowed / step,
-                      f"{allowed:.2g} steps are allowed: what is lost with the last digit of h_crit, or by the "
-                      "rounding of another machine, grows in every step.")
+        return Answer(
+            (step * h,),
+            allowed / step,
+            f"{allowed:.2g} steps are allowed: what is lost with the last digit of h_crit, or by the "
+            "rounding of another machine, grows in every step.",
+        )
 
 
-# Strips that vibrate along their length ------------------------------------------------------------
+# Strips that vibrate along their length -----------------------------------------------------------
+
 
 class Vibration(Measure):
     """A strip on a smooth table: its left end is held, and it is pushed to the right."""
@@ -226,19 +293,26 @@ class Vibration(Measure):
         """Of the first vibration, sin(π s/2L), where s is the distance from the held end: 1/s."""
         return math.pi / (2 * self.n.length) * math.sqrt(self.n.k / self.n.density)
 
-    why = ("16 cells vibrate more slowly than a strip by 0.04 %, the other vibrations of the strip last for a while, "
-           "and a curve is read to a few percent")
+    why = (
+        "16 cells vibrate more slowly than a strip by 0.04 %, the other vibrations of the strip last for a while, "
+        "and a curve is read to a few percent"
+    )
 
     def pushed(self, h, end, frames, damping=None):
-        return scene(cloth=strip(self.n, 16, 0.25, lambda rows: ["left"]), **threads(self.n.k), damping=damping,
-                     start={"velocity": [0.1, 0, 0]}, time={"h": h, "end": end, "frames": frames})
+        return scene(
+            cloth=strip(self.n, 16, 0.25, lambda rows: ["left"]),
+            **threads(self.n.k),
+            damping=damping,
+            start={"velocity": [0.1, 0, 0]},
+            time={"h": h, "end": end, "frames": frames},
+        )
 
 
 class DampedVibration(Vibration):
     """Which kd lets the amplitude fall to a tenth in a given time.
 
-    ρ ü = k u'' + kd u̇'' with u = q(t) sin(π s/2L) is q̈ + kd π²/(4 ρ L²) q̇ + ω² q = 0, so q falls as
-    exp(−kd π²/(8 ρ L²) t).
+    ρ ü = k u'' + kd u̇'' with u = q(t) sin(π s/2L) is q̈ + kd π²/(4 ρ L²) q̇ + ω² q = 0, so q falls
+    as exp(−kd π²/(8 ρ L²) t).
     """
 
     def scene(self):
@@ -260,11 +334,12 @@ class MethodDamping(Vibration):
         return self.pushed(self.n.h, 1200 * self.n.h, 1200)
 
     def answer(self, programs):
-        steps = 2 * math.log(10) / math.log(1 + (self.n.h * self.omega)**2)
+        steps = 2 * math.log(10) / math.log(1 + (self.n.h * self.omega) ** 2)
         return within(steps, 0.06, self.why)
 
 
-# Errors --------------------------------------------------------------------------------------------
+# Errors -------------------------------------------------------------------------------------------
+
 
 class Fall(Measure):
     """A cloth that begins to fall from its two corners, and a run that counts as the truth."""
@@ -272,8 +347,13 @@ class Fall(Measure):
     damping = {"stretch": 0.02, "shear": 0.01}
 
     def cloth(self, h, end):
-        return scene(cloth=square(self.n), gravity=GRAVITY, **threads(self.n.k), damping=self.damping,
-                     time={"h": h, "end": end, "frames": 1})
+        return scene(
+            cloth=square(self.n),
+            gravity=GRAVITY,
+            **threads(self.n.k),
+            damping=self.damping,
+            time={"h": h, "end": end, "frames": 1},
+        )
 
     def end(self, programs, program, *options):
         return programs.run(program, self.scene(), *options).vertices
@@ -288,8 +368,11 @@ class ErrorOfStep(Fall):
     def answer(self, programs):
         run = functools.partial(self.end, programs, "step03_implicit", "--h")
         apart = distance.distances(run(self.n.h), run(self.n.h / 32))
-        return within(1000 * distance.rms(apart), 0.03, "another machine rounds in another way, and h/32 may be "
-                                                        "written with few digits")
+        return within(
+            1000 * distance.rms(apart),
+            0.03,
+            "another machine rounds in another way, and h/32 may be " "written with few digits",
+        )
 
 
 class FewestSteps(Fall):
@@ -300,7 +383,9 @@ class FewestSteps(Fall):
 
     def error(self, programs, steps):
         """RMS distance from the truth, mm."""
-        return 1000 * distance.rms(distance.distances(self.run(programs, steps), self.run(programs, 800)))
+        return 1000 * distance.rms(
+            distance.distances(self.run(programs, steps), self.run(programs, 800))
+        )
 
     @functools.cache
     def run(self, programs, steps):
@@ -316,8 +401,12 @@ class FewestSteps(Fall):
                 few = steps
             else:
                 enough = steps
-        return within(enough, 0.04, "the error falls with every step more, but by little, and another machine rounds "
-                                    "in another way")
+        return within(
+            enough,
+            0.04,
+            "the error falls with every step more, but by little, and another machine rounds "
+            "in another way",
+        )
 
 
 class LoosestTolerance(Fall):
@@ -329,22 +418,36 @@ class LoosestTolerance(Fall):
         return self.cloth(0.01, self.n.end)
 
     def answer(self, programs):
-        run = functools.partial(self.end, programs, "step04_cg", "--preconditioner", self.n.preconditioner,
-                                "--tolerance")
+        run = functools.partial(
+            self.end,
+            programs,
+            "step04_cg",
+            "--preconditioner",
+            self.n.preconditioner,
+            "--tolerance",
+        )
         tolerances = [self.n.loosest / 2**i for i in range(10)]
         truth = run(1e-10)
         errors = [1000 * max(distance.distances(run(tolerance), truth)) for tolerance in tolerances]
-        right = [self.loosest(tolerances, errors, factor * self.n.limit) for factor in (1, 1.2, 1 / 1.2)]
-        return Answer(tuple(right), 0.01,
-                      "The answers to limits up to 20 % from yours are right, too: the number of iterations is a "
-                      "whole number, so the error jumps, and on another machine elsewhere.")
+        right = [
+            self.loosest(tolerances, errors, factor * self.n.limit) for factor in (1, 1.2, 1 / 1.2)
+        ]
+        return Answer(
+            tuple(right),
+            0.01,
+            "The answers to limits up to 20 % from yours are right, too: the number of iterations is a "
+            "whole number, so the error jumps, and on another machine elsewhere.",
+        )
 
     def loosest(self, tolerances, errors, limit):
-        return first((tolerance for tolerance, error in zip(tolerances, errors) if error <= limit),
-                     f"all tolerances have errors above {limit:g} mm")
+        return first(
+            (tolerance for tolerance, error in zip(tolerances, errors) if error <= limit),
+            f"all tolerances have errors above {limit:g} mm",
+        )
 
 
-# Step 5 --------------------------------------------------------------------------------------------
+# Step 5 -------------------------------------------------------------------------------------------
+
 
 class Droop(Measure):
     """Which k of bending lets a clamped strip droop by a given part of its length."""
@@ -356,8 +459,13 @@ class Droop(Measure):
         return [j * (self.cells + 1) + i for j in range(rows + 1) for i in (0, 1)]
 
     def clamped(self, k):
-        return scene(cloth=strip(self.n, self.cells, 0.3, self.clamp), gravity=GRAVITY, **threads(1000),
-                     bend={"k": k}, time={"h": 0.05, "end": 5, "frames": 1})
+        return scene(
+            cloth=strip(self.n, self.cells, 0.3, self.clamp),
+            gravity=GRAVITY,
+            **threads(1000),
+            bend={"k": k},
+            time={"h": 0.05, "end": 5, "frames": 1},
+        )
 
     def scene(self):
         return self.clamped(1e-3)
@@ -369,21 +477,34 @@ class Droop(Measure):
     def answer(self, programs):
         weight = self.n.density * 9.81 * self.n.length**3
         k = crossing(lambda k: self.droop(programs, k), self.n.percent / 100, weight / 50, weight)
-        return within(k, 0.03, "a droop that is read to a hundredth of the length gives k to about 3 %")
+        return within(
+            k, 0.03, "a droop that is read to a hundredth of the length gives k to about 3 %"
+        )
 
 
-MEASURES = {"C1.1": StableStiffness, "C1.2": Explosion, "C2.1": DampedVibration, "C3.1": MethodDamping,
-            "C3.2": ErrorOfStep, "C3.3": FewestSteps, "C4.1": LoosestTolerance, "C5.1": Droop}
+MEASURES = {
+    "C1.1": StableStiffness,
+    "C1.2": Explosion,
+    "C2.1": DampedVibration,
+    "C3.1": MethodDamping,
+    "C3.2": ErrorOfStep,
+    "C3.3": FewestSteps,
+    "C4.1": LoosestTolerance,
+    "C5.1": Droop,
+}
 
 
-# What make.py and grade.py call --------------------------------------------------------------------
+# What make.py and grade.py call -------------------------------------------------------------------
+
 
 def measure(task, student):
     return MEASURES[task.id](task.numbers(student))
 
 
 def add(chosen, out, student):
-    """Writes answers.toml, and into measure/ the scene of each task and the script that compares two meshes."""
+    """Writes answers.toml, and into measure/ the scene of each task and the script that compares
+    two meshes.
+    """
     asked = [task for task in chosen if task.kind == "measure"]
     for task in asked:
         place = out / "measure" / task.id
@@ -394,7 +515,10 @@ def add(chosen, out, student):
         (out / answers.FILE).write_text(
             "# Write your answers here, and take away the # of each line.\n"
             "# If other tasks change a program, measure with it when they pass.\n"
-            + "".join(f'# "{task.id}" =     # {task.unit or "no unit"}: {task.title}\n' for task in asked))
+            + "".join(
+                f'# "{task.id}" =     # {task.unit or "no unit"}: {task.title}\n' for task in asked
+            )
+        )
 
 
 def grade(task, hand_in, student, programs):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Tests of the tasks that measure: measures.py, answers.py, distance.py.
 
-    python3 tests/assignments/measures_test.py                    needs step01_explicit … step05_bend
-    python3 tests/assignments/measures_test.py --full             50 students also where an answer needs many runs
-    python3 tests/assignments/measures_test.py --build DIR        their build directory, if not build/release
+    python3 tests/assignments/measures_test.py               needs step01_explicit … step05_bend
+    python3 tests/assignments/measures_test.py --full        50 students for costly answers, too
+    python3 tests/assignments/measures_test.py --build DIR   if not build/release
 """
 import argparse
 import contextlib
@@ -30,7 +30,7 @@ from runs import FAILED, PASSED, UNWRITTEN
 
 SETTINGS = argparse.Namespace(build=tasks.SOURCE / "build/release", full=False)
 TASKS = {id: task for id, task in tasks.load_all().items() if task.kind == "measure"}
-COSTLY = ["C3.3", "C4.1", "C5.1"]   # ten runs or more for each answer
+COSTLY = ["C3.3", "C4.1", "C5.1"]  # ten runs or more for each answer
 
 
 def students(task):
@@ -94,10 +94,12 @@ class ExpectedAnswers(unittest.TestCase):
         for id in TASKS:
             answer = expected(id, "student 0")
             low, high = min(answer.values), max(answer.values)
-            for value, state, word in ((low * (1 - 1.1 * answer.share), FAILED, "small"),
-                                       (low * (1 - 0.9 * answer.share), PASSED, "Right"),
-                                       (high * (1 + 0.9 * answer.share), PASSED, "Right"),
-                                       (high * (1 + 1.1 * answer.share), FAILED, "large")):
+            for value, state, word in (
+                (low * (1 - 1.1 * answer.share), FAILED, "small"),
+                (low * (1 - 0.9 * answer.share), PASSED, "Right"),
+                (high * (1 + 0.9 * answer.share), PASSED, "Right"),
+                (high * (1 + 1.1 * answer.share), FAILED, "large"),
+            ):
                 ending = grade(id, f'"{id}" = {value!r}')
                 self.assertEqual(ending.state, state, (id, value))
                 self.assertIn(word, ending.message)
@@ -106,8 +108,10 @@ class ExpectedAnswers(unittest.TestCase):
     def test_are_those_of_the_same_student_in_grade_and_make(self):
         task, value = TASKS["C1.1"], expected("C1.1", "student 3").values[0]
         with hand_in(f'"C1.1" = {value}') as directory:
-            states = [grader.grade([task], directory, student, 1, mock.Mock(), SETTINGS.build)[0].state
-                      for student in ("student 3", "student 4")]
+            states = [
+                grader.grade([task], directory, student, 1, mock.Mock(), SETTINGS.build)[0].state
+                for student in ("student 3", "student 4")
+            ]
         self.assertEqual(states, [PASSED, FAILED])
         section = make.section(task, "student 3")
         self.assertIn(f"h = {task.numbers('student 3')['h']:g} s", section)
@@ -121,7 +125,10 @@ class ExpectedAnswers(unittest.TestCase):
 
 
 def rate(log, begin, period):
-    """Of the amplitude, per s: from the total energies at two times, a whole number of periods apart."""
+    """Of the amplitude, per s: from the total energies at two times, a whole number of periods
+    apart.
+    """
+
     def energy(time):
         after = next(i for i, row in enumerate(log) if row["time"] >= time)
         a, b = log[after - 1], log[after]
@@ -138,7 +145,9 @@ class Formulas(unittest.TestCase):
     def test_of_damping_is_what_step_2_does(self):
         task = measures.measure(TASKS["C2.1"], "student 0")
         kd = task.answer(None).values[0]
-        run = measures.Programs(SETTINGS.build).run("step02_damping", task.scene(), "--set", f"damping.stretch={kd}")
+        run = measures.Programs(SETTINGS.build).run(
+            "step02_damping", task.scene(), "--set", f"damping.stretch={kd}"
+        )
         seen = rate(run.log, task.n.time / 2, 2 * math.pi / task.omega)
         self.assertAlmostEqual(seen * task.n.time / math.log(10), 1, delta=0.01)
 
@@ -153,11 +162,18 @@ class Formulas(unittest.TestCase):
         task = measures.measure(TASKS["C1.1"], "student 0")
         programs = measures.Programs(SETTINGS.build)
         k = task.answer(programs).values[0]
-        stiff = re.sub(r"^k = (\S+)", lambda m: f"k = {float(m[1]) * k / task.k}", task.scene(), flags=re.MULTILINE)
+        stiff = re.sub(
+            r"^k = (\S+)",
+            lambda m: f"k = {float(m[1]) * k / task.k}",
+            task.scene(),
+            flags=re.MULTILINE,
+        )
         self.assertAlmostEqual(measures.critical_step(programs, stiff) / task.n.h, 1, delta=1e-3)
 
     def test_find_where_a_falling_function_is_the_target(self):
-        self.assertAlmostEqual(measures.crossing(lambda x: 1 / (1 + x), 0.2, 0.1, 100), 4, delta=0.02)
+        self.assertAlmostEqual(
+            measures.crossing(lambda x: 1 / (1 + x), 0.2, 0.1, 100), 4, delta=0.02
+        )
         with self.assertRaisesRegex(tasks.TaskError, "2 is not between"):
             measures.crossing(lambda x: 1 / (1 + x), 2, 0.1, 100)
 
@@ -173,14 +189,20 @@ class AnswersFile(unittest.TestCase):
 
     def test_with_something_else_fails_with_a_sentence(self):
         for text, words in (
-                ('"C1.1" = ', "cannot be read"), (b"\xff\xfe", "cannot be read"),
-                ('"C1.1" = ' + "[" * 50_000, "cannot be read"),
-                ('"C1.1" = ' + "1" * 5000, "cannot be read"), ("# " + "a" * 200_000, "larger than 100 kB"),
-                ('"C1.1" = 1\n"C1.1" = 2', "cannot be read"),
-                ("C1.1 = 3", 'in quotes, "C1.1"'), ('"C1.1" = "3"', '"C1.1" is not a number'),
-                ('"C1.1" = true', "is not a number"), ('"C1.1" = nan', "is not a number"),
-                ('"C1.1" = -inf', "is not a number"), ('"C1.1" = [3]', "is not a number"),
-                ('"C1.1" = ' + "1" * 4000, "is not a number")):
+            ('"C1.1" = ', "cannot be read"),
+            (b"\xff\xfe", "cannot be read"),
+            ('"C1.1" = ' + "[" * 50_000, "cannot be read"),
+            ('"C1.1" = ' + "1" * 5000, "cannot be read"),
+            ("# " + "a" * 200_000, "larger than 100 kB"),
+            ('"C1.1" = 1\n"C1.1" = 2', "cannot be read"),
+            ("C1.1 = 3", 'in quotes, "C1.1"'),
+            ('"C1.1" = "3"', '"C1.1" is not a number'),
+            ('"C1.1" = true', "is not a number"),
+            ('"C1.1" = nan', "is not a number"),
+            ('"C1.1" = -inf', "is not a number"),
+            ('"C1.1" = [3]', "is not a number"),
+            ('"C1.1" = ' + "1" * 4000, "is not a number"),
+        ):
             ending = grade("C1.1", text)
             self.assertEqual(ending.state, FAILED, text[:40])
             self.assertIn(words, ending.message)
@@ -191,8 +213,11 @@ class AnswersFile(unittest.TestCase):
         self.assertEqual(grade("C1.1", f'"C1.2" = "?"\n"C1.1" = {value}').state, PASSED)
 
     def test_is_looked_at_by_check(self):
-        for text, state, words in (('"C1.1" = 3', UNWRITTEN, "the number 3 "), ("", UNWRITTEN, "no number"),
-                                   ('"C1.1" = "x"', FAILED, "is not a number")):
+        for text, state, words in (
+            ('"C1.1" = 3', UNWRITTEN, "the number 3 "),
+            ("", UNWRITTEN, "no number"),
+            ('"C1.1" = "x"', FAILED, "is not a number"),
+        ):
             with hand_in(text) as directory, mock.patch.object(check, "COPY", directory):
                 ending = check.check(TASKS["C1.1"])
             self.assertEqual(ending.state, state)
@@ -223,7 +248,9 @@ class Programs(unittest.TestCase):
     def test_that_are_not_built_are_named(self):
         with hand_in('"C5.1" = 1') as directory, self.assertRaises(tasks.TaskError) as refused:
             measures.grade(TASKS["C5.1"], directory, "ada", measures.Programs("/nowhere"))
-        self.assertIn("/nowhere/step05_bend/step05_bend is not built: cmake --build", str(refused.exception))
+        self.assertIn(
+            "/nowhere/step05_bend/step05_bend is not built: cmake --build", str(refused.exception)
+        )
 
     def test_that_refuse_a_scene_say_so(self):
         with self.assertRaisesRegex(tasks.TaskError, "failed on the scene of a task: .*colour"):
@@ -237,13 +264,16 @@ class Distance(unittest.TestCase):
             for file, text in zip(files, texts):
                 file.write_text(text)
             output, errors = io.StringIO(), io.StringIO()
-            with mock.patch.object(sys, "argv", ["distance.py", *map(str, files)]), \
-                    contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+            with mock.patch.object(
+                sys, "argv", ["distance.py", *map(str, files)]
+            ), contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
                 return distance.main(), output.getvalue() + errors.getvalue()
 
     def test_is_that_of_the_vertices(self):
-        self.assertEqual(self.run_on("v 0 0 0\nvt 1 1\nv 1 0 0\nf 1 2 1\n", "v 0 0.003 0.004\nv 1 0 0\n"),
-                         (0, "root mean square 3.536 mm, largest 5 mm\n"))
+        self.assertEqual(
+            self.run_on("v 0 0 0\nvt 1 1\nv 1 0 0\nf 1 2 1\n", "v 0 0.003 0.004\nv 1 0 0\n"),
+            (0, "root mean square 3.536 mm, largest 5 mm\n"),
+        )
 
     def test_of_two_cloths_is_refused(self):
         code, text = self.run_on("v 0 0 0\n", "v 0 0 0\nv 1 0 0\n")

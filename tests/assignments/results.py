@@ -8,18 +8,23 @@ import xml.etree.ElementTree as ElementTree
 import functions
 from runs import FAILED, PASSED, UNWRITTEN
 
-KINDS = {"write": "not written yet", "mend": "not mended yet", "invent": "not written yet",
-         "measure": "not answered yet"}
+KINDS = {
+    "write": "not written yet",
+    "mend": "not mended yet",
+    "invent": "not written yet",
+    "measure": "not answered yet",
+}
 
 
 @dataclasses.dataclass
 class Result:
     """One task and how it ended."""
+
     id: str
     title: str
-    points: int              # that the task is worth
+    points: int  # that the task is worth
     lesson: str
-    state: str               # of runs.py
+    state: str  # of runs.py
     message: str = ""
     report: ElementTree.Element = None
 
@@ -30,12 +35,16 @@ class Result:
     @property
     def explanation(self):
         """A failure, and where to read again."""
-        return f"{self.message}\nRead again: {self.lesson}" if self.state == FAILED else self.message
+        return (
+            f"{self.message}\nRead again: {self.lesson}" if self.state == FAILED else self.message
+        )
 
 
 def result(task, ending):
     """task: a Task, or its public part in a copy."""
-    return Result(task.id, task.title, task.points, task.lesson, ending.state, ending.message, ending.report)
+    return Result(
+        task.id, task.title, task.points, task.lesson, ending.state, ending.message, ending.report
+    )
 
 
 def fingerprint(body):
@@ -49,29 +58,58 @@ def table(results):
         lines.append(f"{r.id:6} {r.score:3} of {r.points:2}  {r.state:9}  {r.title}")
         if r.state != PASSED:
             for part in r.explanation.split("\n"):
-                lines += textwrap.wrap(part, 96, initial_indent=" " * 10, subsequent_indent=" " * 10,
-                                       break_long_words=False)
-    lines.append(f"total  {sum(r.score for r in results):3} of {sum(r.points for r in results)} points")
+                lines += textwrap.wrap(
+                    part,
+                    96,
+                    initial_indent=" " * 10,
+                    subsequent_indent=" " * 10,
+                    break_long_words=False,
+                )
+    lines.append(
+        f"total  {sum(r.score for r in results):3} of {sum(r.points for r in results)} points"
+    )
     return "\n".join(lines)
 
 
 def gradescope(results):
     """results.json, as Gradescope reads it."""
-    return json.dumps({"tests": [
-        {"name": r.title, "number": r.id, "score": r.score, "max_score": r.points, "output": r.explanation,
-         "status": "passed" if r.state == PASSED else "failed", "tags": [r.state], "visibility": "visible"}
-        for r in results]}, indent=1, ensure_ascii=False) + "\n"
+    return (
+        json.dumps(
+            {
+                "tests": [
+                    {
+                        "name": r.title,
+                        "number": r.id,
+                        "score": r.score,
+                        "max_score": r.points,
+                        "output": r.explanation,
+                        "status": "passed" if r.state == PASSED else "failed",
+                        "tags": [r.state],
+                        "visibility": "visible",
+                    }
+                    for r in results
+                ]
+            },
+            indent=1,
+            ensure_ascii=False,
+        )
+        + "\n"
+    )
 
 
 def junit(results):
-    """JUnit's XML: GoogleTest's own suites, with the task and its points. A task without them is one case."""
+    """JUnit's XML: GoogleTest's own suites, with the task and its points. A task without them is
+    one case.
+    """
     root = ElementTree.Element("testsuites", name="assignments")
     for r in results:
         suite = ElementTree.SubElement(root, "testsuite", name=f"{r.id} {r.title}")
         properties = ElementTree.SubElement(suite, "properties")
         for name, value in (("task", r.id), ("points", r.points), ("score", r.score)):
             ElementTree.SubElement(properties, "property", name=name, value=str(value))
-        cases = r.report.findall(".//testcase") if r.report is not None and r.state != UNWRITTEN else []
+        cases = (
+            r.report.findall(".//testcase") if r.report is not None and r.state != UNWRITTEN else []
+        )
         for case in cases:
             case.set("classname", f"{r.id}.{case.get('classname')}")
             suite.append(case)
@@ -84,4 +122,8 @@ def junit(results):
             suite.set(attribute, str(len(suite.findall(f".//{tag}"))))
         suite.set("tests", str(len(suite.findall("testcase"))))
     ElementTree.indent(root)
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
+    return (
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        + ElementTree.tostring(root, encoding="unicode")
+        + "\n"
+    )

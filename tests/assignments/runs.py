@@ -1,8 +1,9 @@
 """Runs the checks of a task, apart from everything else, and says how they ended.
 
-A check is a program that a student's code is part of. It runs in an empty directory, with little time, memory
-and room for files. With bubblewrap (Debian's package) it sees nothing of the machine but /usr, and no network;
-no process of it is left. Without bubblewrap it can read what the user can read.
+A check is a program that a student's code is part of. It runs in an empty directory, with little
+time, memory and room for files. With bubblewrap (Debian's package) it sees nothing of the machine
+but /usr, and no network; no process of it is left. Without bubblewrap it can read what the user can
+read.
 """
 import dataclasses
 import functools
@@ -22,7 +23,10 @@ PASSED, FAILED, UNWRITTEN = "passed", "failed", "unwritten"
 
 @dataclasses.dataclass
 class Ending:
-    """How a task ended: a state, a sentence on the first failure, and GoogleTest's own report, if there is one."""
+    """How a task ended: a state, a sentence on the first failure, and GoogleTest's own report, if
+    there is one.
+    """
+
     state: str
     message: str = ""
     report: ElementTree.Element = None
@@ -31,11 +35,36 @@ class Ending:
 @functools.cache
 def sandbox():
     """The words that start a program in bubblewrap; none where it does not work."""
-    words = ["bwrap", "--ro-bind", "/usr", "/usr", "--symlink", "usr/lib", "/lib", "--symlink", "usr/lib64", "/lib64",
-             "--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache", "--ro-bind-try", "/etc/alternatives",
-             "/etc/alternatives", "--proc", "/proc", "--dev", "/dev", "--unshare-all", "--die-with-parent", "--new-session"]
+    words = [
+        "bwrap",
+        "--ro-bind",
+        "/usr",
+        "/usr",
+        "--symlink",
+        "usr/lib",
+        "/lib",
+        "--symlink",
+        "usr/lib64",
+        "/lib64",
+        "--ro-bind-try",
+        "/etc/ld.so.cache",
+        "/etc/ld.so.cache",
+        "--ro-bind-try",
+        "/etc/alternatives",
+        "/etc/alternatives",
+        "--proc",
+        "/proc",
+        "--dev",
+        "/dev",
+        "--unshare-all",
+        "--die-with-parent",
+        "--new-session",
+    ]
     try:
-        works = subprocess.run([*words, "/usr/bin/true"], capture_output=True, timeout=10).returncode == 0
+        works = (
+            subprocess.run([*words, "/usr/bin/true"], capture_output=True, timeout=10).returncode
+            == 0
+        )
     except (OSError, subprocess.TimeoutExpired):
         works = False
     return words if works else []
@@ -47,18 +76,28 @@ def limits(seconds):
         resource.setrlimit(resource.RLIMIT_AS, (MEGABYTES * 2**20,) * 2)
         resource.setrlimit(resource.RLIMIT_FSIZE, (OUTPUT,) * 2)
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
     return limit
 
 
 def run_apart(command, directory, output, seconds, words="", variables=None):
-    """Runs a command that is given its words on standard input. Returns (exit code, whether it took too long)."""
+    """Runs a command that is given its words on standard input. Returns (exit code, whether it took
+    too long).
+    """
     if sandbox():
         command = [*sandbox(), "--bind", str(directory), "/run", "--chdir", "/run", *command]
     late = False
     with open(output, "wb") as sink:
-        process = subprocess.Popen(command, cwd=directory, stdin=subprocess.PIPE, stdout=sink,
-                                   stderr=subprocess.STDOUT, start_new_session=True, preexec_fn=limits(seconds),
-                                   env={"PATH": "/usr/bin", **(variables or {})})
+        process = subprocess.Popen(
+            command,
+            cwd=directory,
+            stdin=subprocess.PIPE,
+            stdout=sink,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+            preexec_fn=limits(seconds),
+            env={"PATH": "/usr/bin", **(variables or {})},
+        )
         try:
             process.communicate(words.encode(), timeout=seconds)
         except subprocess.TimeoutExpired:
@@ -84,23 +123,42 @@ def run_check(program, seed=1):
         directory, output = pathlib.Path(place) / "run", pathlib.Path(place) / "output"
         directory.mkdir()
         shutil.copy2(program, directory / "checks")
-        code, late = run_apart(["./checks", "--gtest_output=xml:report.xml"], directory, output, SECONDS, word + "\n",
-                               {"CHECK_SEED": str(seed)})
+        code, late = run_apart(
+            ["./checks", "--gtest_output=xml:report.xml"],
+            directory,
+            output,
+            SECONDS,
+            word + "\n",
+            {"CHECK_SEED": str(seed)},
+        )
         return ending(code, late, output, directory / "report.xml", word)
 
 
 def ending(code, late, output, report, word):
     """What the exit code, the last line and the report say together."""
-    if late or code in (-signal.SIGXCPU, 128 + signal.SIGXCPU, 128 + signal.SIGKILL, -signal.SIGKILL):
-        return Ending(FAILED, f"The check did not end within {SECONDS} seconds: does a loop never end?")
+    if late or code in (
+        -signal.SIGXCPU,
+        128 + signal.SIGXCPU,
+        128 + signal.SIGKILL,
+        -signal.SIGKILL,
+    ):
+        return Ending(
+            FAILED, f"The check did not end within {SECONDS} seconds: does a loop never end?"
+        )
     if code in (-signal.SIGSEGV, 128 + signal.SIGSEGV):
-        return Ending(FAILED, "The check crashed: it read or wrote memory that does not belong to it "
-                              "(a place beyond the end of a vector?).")
+        return Ending(
+            FAILED,
+            "The check crashed: it read or wrote memory that does not belong to it "
+            "(a place beyond the end of a vector?).",
+        )
     if output.stat().st_size >= OUTPUT:
         return Ending(FAILED, "The check wrote more than 10 MB.")
     if not output.read_bytes().endswith(f"\n{word}\n".encode()):
-        return Ending(FAILED, f"The check ended before it was done (exit code {code}): "
-                              "does the code call exit, abort or assert?")
+        return Ending(
+            FAILED,
+            f"The check ended before it was done (exit code {code}): "
+            "does the code call exit, abort or assert?",
+        )
     try:
         suites = ElementTree.parse(report).getroot()
     except (OSError, ElementTree.ParseError):

@@ -19,23 +19,24 @@ class TaskError(Exception):
 @dataclasses.dataclass
 class Task:
     """One file of tasks/, in the words of that file."""
+
     id: str
-    kind: str                # of KINDS
+    kind: str  # of KINDS
     title: str
     points: int
-    minutes: int             # for a student who has read the lesson
-    lesson: str              # the section to read, FILE.md#heading
+    minutes: int  # for a student who has read the lesson
+    lesson: str  # the section to read, FILE.md#heading
     hint: str
-    file: str = ""           # the functions and their file
+    file: str = ""  # the functions and their file
     functions: list = dataclasses.field(default_factory=list)
-    check: str = ""          # of checks/
+    check: str = ""  # of checks/
     libraries: list = dataclasses.field(default_factory=list)
     mistakes: list = dataclasses.field(default_factory=list)  # name, cut, with: typical ones
-    planted: dict = dataclasses.field(default_factory=dict)   # cut, with: what `mend` hands out
-    question: str = ""       # of `measure` and `invent`
-    unit: str = ""           # of the answer to `measure`
-    given: dict = dataclasses.field(default_factory=dict)     # numbers that differ between students
-    term: str = ""           # of `invent`: the term and the list of math/cloth.h that it joins
+    planted: dict = dataclasses.field(default_factory=dict)  # cut, with: what `mend` hands out
+    question: str = ""  # of `measure` and `invent`
+    unit: str = ""  # of the answer to `measure`
+    given: dict = dataclasses.field(default_factory=dict)  # numbers that differ between students
+    term: str = ""  # of `invent`: the term and the list of math/cloth.h that it joins
     list: str = ""
 
     @property
@@ -64,10 +65,14 @@ class Task:
         return f'\n  not_written("{self.id}", "{name}");\n'
 
     def numbers(self, student):
-        """The numbers of one student: a name → value. They follow from the student's ID and the task."""
+        """The numbers of one student: a name → value. They follow from the student's ID and the
+        task.
+        """
         digest = hashlib.sha256(f"{student}/{self.id}".encode()).digest()
-        shares = [int.from_bytes(digest[4 * i:4 * i + 4], "big") / 2**32 for i in range(8)]
-        return {name: chosen(values, share) for (name, values), share in zip(self.given.items(), shares)}
+        shares = [int.from_bytes(digest[4 * i : 4 * i + 4], "big") / 2**32 for i in range(8)]
+        return {
+            name: chosen(values, share) for (name, values), share in zip(self.given.items(), shares)
+        }
 
 
 def chosen(values, share):
@@ -79,8 +84,10 @@ def chosen(values, share):
 
 def replaced_once(text, change, where):
     if text.count(change["cut"]) != 1:
-        raise TaskError(f"{where}: the body has {text.count(change['cut'])} times the text {change['cut']!r}; "
-                        "it must have it once")
+        raise TaskError(
+            f"{where}: the body has {text.count(change['cut'])} times the text {change['cut']!r}; "
+            "it must have it once"
+        )
     return text.replace(change["cut"], change["with"])
 
 
@@ -90,7 +97,9 @@ def load_file(path):
     except (tomllib.TOMLDecodeError, TypeError) as error:
         raise TaskError(f"tasks/{path.name}: {error}") from None
     if task.kind not in KINDS:
-        raise TaskError(f"tasks/{path.name}: kind is {task.kind!r}; it must be one of {', '.join(KINDS)}")
+        raise TaskError(
+            f"tasks/{path.name}: kind is {task.kind!r}; it must be one of {', '.join(KINDS)}"
+        )
     return task
 
 
