@@ -3,7 +3,8 @@
 
     python3 tests/lesson/run_commands.py           runs the cheap ones; the test Lessons.CommandsRun
     python3 tests/lesson/run_commands.py --list    prints all of them, each with its class
-    python3 tests/lesson/run_commands.py --fully   runs all of them, in a fresh checkout
+    python3 tests/lesson/run_commands.py --fully   runs all of them, in a fresh checkout; with
+                                                   names of files, only those of these files
 
 A command is a block "```sh", a line of code that begins with a program, or a span of code that
 begins with one. A loop is one command. Each command has a class:
@@ -38,6 +39,7 @@ THIS_TARGET = "--target check_lessons_fully"  # would start itself again
 EXPENSIVE = (
     (r"install_packages|cmake --(workflow|preset)|cmake -S", "it configures and builds"),
     (r"update_lessons\.py", "it changes the lessons"),
+    (r"run_commands\.py --fully", "it runs the commands of a lesson"),
     (r"tradeoff/tradeoff|stability_map|definite_study|measure_tolerance|threshold_study",
      "it measures for minutes"),
     (r"compare_models|cantilever_points|draw_energy", "it draws pictures of a lesson"),
@@ -230,7 +232,7 @@ def failure(command, script, directory):
 
 
 def run(jobs, directory):
-    """Runs (command, script) pairs. Returns a line for each, and how many failed."""
+    """Runs (command, script) pairs. Returns (file, line) for each, and how many failed."""
     lines = []
     failed = 0
     for command, script in jobs:
@@ -238,9 +240,10 @@ def run(jobs, directory):
         wrong = failure(command, script, directory)
         seconds = time.monotonic() - begin
         failed += bool(wrong)
-        lines.append(f"{'FAILED' if wrong else 'OK':6} {seconds:7.1f} s  {command.place}  "
-                     + " ".join(command.text.split()))
-        print(lines[-1], flush=True)
+        line = (f"{'FAILED' if wrong else 'OK':6} {seconds:7.1f} s  {command.place}  "
+                + " ".join(command.text.split()))
+        lines.append((str(command.file), line))
+        print(line, flush=True)
         if wrong:
             print(textwrap.indent(wrong, "    "), flush=True)
     return lines, failed
@@ -280,13 +283,26 @@ def machine(directory):
     return f"{cpu[1] if cpu else platform.machine()}, {os.cpu_count()} cores, {version}"
 
 
-def write_result(path, directory, lines, failed):
-    text = "\n".join([
-        "Every command of every Markdown file, as check_lessons_fully ran it.",
-        f"date     {time.strftime('%Y-%m-%d')}",
-        f"machine  {machine(directory)}",
-        f"commit   {git('rev-parse', 'HEAD')}",
-        f"result   {len(lines)} commands, {failed} failed", "", *lines, ""])
+def sections(path):
+    """The parts of an earlier result: file → text."""
+    parts = path.read_text(encoding="utf-8").split("\n\n")[1:] if path.exists() else []
+    return {part.split()[0]: part.strip() for part in parts}
+
+
+def section(file, lines, origin):
+    """The result of one Markdown file."""
+    own = [line for place, line in lines if place == file]
+    failed = sum(line.startswith("FAILED") for line in own)
+    return "\n".join([f"{file}  {len(own)} commands, {failed} failed", *origin, *own])
+
+
+def write_result(path, directory, lines, built):
+    """Renews the parts of the files whose commands ran, and keeps the others."""
+    origin = [f"date     {time.strftime('%Y-%m-%d')}", f"machine  {machine(directory)}",
+              f"commit   {git('rev-parse', 'HEAD')}{built}"]
+    parts = {**sections(path), **{file: section(file, lines, origin) for file, _ in lines}}
+    text = "\n\n".join(["The commands of the Markdown files, as --fully ran them.",
+                         *(parts[file] for file in sorted(parts))]) + "\n"
     whole = path.with_suffix(".part")
     whole.write_text(text, encoding="utf-8")
     whole.replace(path)
@@ -313,13 +329,15 @@ def main():
     parser.add_argument("--fully", action="store_true", help="run all commands in a fresh checkout")
     parser.add_argument("--build", help="build/release if absent; with --fully, in place of "
                                         "what the commands build")
+    parser.add_argument("files", nargs="*", metavar="FILE", help="Markdown files; all if absent")
     parser.add_argument("--only", default="", metavar="REGEX", help="commands that match")
     parser.add_argument("--result", type=pathlib.Path, help="file for the result of --fully")
     arguments = parser.parse_args()
-    if arguments.result and (not arguments.fully or arguments.only or arguments.build):
-        parser.error("--result needs --fully, without --only and --build")
+    if arguments.result and (not arguments.fully or arguments.only):
+        parser.error("--result needs --fully, without --only")
     commands = [command for command in all_commands()
-                if re.search(arguments.only, command.text)]
+                if re.search(arguments.only, command.text)
+                and (not arguments.files or str(command.file) in arguments.files)]
     if not commands:
         raise LessonError("no command is found")
     if arguments.list:
@@ -336,7 +354,8 @@ def main():
         check_out(directory, arguments.build)
         lines, failed = run(((command, command.text) for command in commands), directory)
         if arguments.result:
-            write_result(arguments.result, directory, lines, failed)
+            built = ", with programs that were built before" if arguments.build else ""
+            write_result(arguments.result, directory, lines, built)
         print(f"{len(lines)} commands, {failed} failed")
         return int(failed > 0)
 

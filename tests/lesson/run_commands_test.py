@@ -4,6 +4,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import run_commands
@@ -89,6 +90,21 @@ class Running(unittest.TestCase):
 
     def test_tests_that_do_not_exist_are_a_failure(self):
         self.assertEqual(self.failure("echo; echo 'Total Tests: 0'"), "it selects no test")
+
+
+class Result(unittest.TestCase):
+    def test_a_run_renews_the_part_of_its_files(self):
+        with tempfile.TemporaryDirectory() as directory:
+            path = pathlib.Path(directory) / "result.txt"
+            with mock.patch.object(run_commands, "machine", lambda _: "a machine"):
+                for lines in ([("a.md", "OK      1 s  a.md:1  x"), ("b.md", "FAILED  2 s  b.md:1  y")],
+                              [("b.md", "OK      3 s  b.md:1  y")]):
+                    run_commands.write_result(path, directory, lines, "")
+            text = path.read_text()
+        self.assertEqual(text.count("machine  a machine"), 2)
+        self.assertIn("a.md  1 commands, 0 failed", text)
+        self.assertIn("b.md  1 commands, 0 failed", text)
+        self.assertNotIn("FAILED", text)
 
 
 if __name__ == "__main__":
