@@ -5,7 +5,7 @@
     python3 tests/assignments/assignments_test.py --task A3.4
 
 --full: both mistakes of every task, and the build of every copy, some ten minutes.
---task: a task that was changed or is new, its check, both of its mistakes, and its copy, in a minute.
+--task: of one task A or B its check, its mistakes, and its copy, in a minute. It may be given again.
 """
 import argparse
 import json
@@ -35,9 +35,14 @@ FULL = OPTIONS.full
 OF_A_TASK = ["TasksAreComplete", "CopiesHaveNoAnswers", "TheProjectPasses", "MistakesFail"]
 WORK = pathlib.Path(os.environ.get("ASSIGNMENTS_WORK", SOURCE / "build/assignments_test"))
 EVERY = tasks.load_all()
-TRIED = tasks.select(OPTIONS.task or list(EVERY))
+try:
+    TRIED = tasks.select(OPTIONS.task or list(EVERY))
+except tasks.TaskError as error:
+    parser.error(str(error))
 CODE = [task for task in TRIED if task.kind in ("write", "mend")]
 GROUPS = sorted({task.id[:2] for task in TRIED})  # A1, A2, …: what is handed out together
+if not CODE:
+    parser.error("tasks C have their tests in measures_test.py, tasks D in inventions_test.py")
 
 
 def reference(task):
@@ -128,12 +133,19 @@ class CopiesHaveNoAnswers(Hands):
                             *(make.telling_lines(body) for body in reference(task))
                         )
                 text = {
-                    functions.squeezed(line)
+                    make.statement(line)
                     for f in copy.rglob("*")
                     if f.suffix in (".h", ".cpp", ".md", ".py")
                     for line in f.read_text().split("\n")
                 }
                 self.assertEqual(lines & text, set())
+
+    def test_a_quote_goes_with_its_loops_and_conditions(self):
+        lesson = (self.copy("A3") / "step03_implicit/README.md").read_text()
+        self.assertIn("In `line_search`", lesson)
+        self.assertNotIn("step /= 2", lesson)
+        self.assertNotIn("1e-4 * step * fall", lesson)
+        self.assertIn("const double decrement = ", lesson)  # of another function
 
     def test_the_formulas_stay(self):
         self.assertIn("∂C/∂w = √a n", (self.copy("A1") / "common/math/triangle.h").read_text())
@@ -211,6 +223,35 @@ class CopiesHaveNoAnswers(Hands):
             )
             self.assertEqual(done.returncode, 0, block + done.stdout + done.stderr)
         self.assertTrue((copy / "out/step04_cg/report.html").exists())
+
+
+class ASlipOfTheGraderIsSaid(Hands):
+    def doubts(self, student, *names):
+        copy = self.place / "copy"
+        if not copy.exists():
+            make.copy(tasks.select(["A3.1", "C3.1"]), copy, student="ada")
+        return list(grade.doubts(tasks.select(names), copy, student))
+
+    def test_no_doubt(self):
+        self.assertEqual(self.doubts("ada", "A3.1", "C3.1"), [])
+
+    def test_another_student(self):
+        (sentence,) = self.doubts("bob", "A3.1", "C3.1")
+        self.assertIn("other numbers for C3.1 than --student bob would have", sentence)
+
+    def test_a_task_that_was_not_handed_out(self):
+        (sentence,) = self.doubts("ada", "A3.1", "A3.2")
+        self.assertIn("was made without A3.2", sentence)
+
+    def test_a_list_of_tasks_that_is_broken_is_not_read(self):
+        self.doubts("ada", "A3.1")
+        for text in ("", "[1]", '["A3.1"]', "{}", "null", "[" * 100_000, '[{"id": []}]'):
+            (self.place / "copy/tests/assignments/tasks.json").write_text(text)
+            self.assertEqual(self.doubts("bob", "C3.1"), [])
+
+    def test_another_directory_is_refused(self):
+        with self.assertRaisesRegex(tasks.TaskError, "is no hand-in: it has no answers.toml and"):
+            grade.refuse_other_directory(tasks.select(["A3.1", "C3.1"]), self.place)
 
 
 class Graded(Hands):

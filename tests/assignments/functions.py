@@ -152,6 +152,12 @@ def with_body(text, wanted, new, where="the text"):
     return text[: function.begin] + new + text[function.end :]
 
 
+def indentation(text, wanted, where="the text"):
+    """The spaces before the declaration of one function."""
+    line = text[: find(text, wanted, where).head].rpartition("\n")[2]
+    return " " * len(line)
+
+
 def squeezed(text):
     """The text without comments and spaces: two bodies that differ only in these are the same."""
     comments = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)

@@ -60,6 +60,10 @@ class FindsFunctions(unittest.TestCase):
         self.assertEqual(functions.body(changed, "a::Box::value"), " return 7; ")
         self.assertEqual(functions.body(changed, "a::apart"), functions.body(TEXT, "a::apart"))
 
+    def test_knows_how_deep_a_declaration_stands(self):
+        for name, spaces in (("a::Box::value", "  "), ("a::twice(int", ""), ("a::apart", "")):
+            self.assertEqual(functions.indentation(TEXT, name), spaces)
+
     def test_squeezed_bodies_differ_in_code_only(self):
         self.assertEqual(functions.squeezed('a = 1;  // one\n b( "//" );'), 'a=1;b("//");')
 

@@ -14,6 +14,7 @@ Exit code: 0 if all tasks passed, 1 if not, 2 if the command cannot be used.
 import argparse
 import contextlib
 import fcntl
+import json
 import pathlib
 import re
 import shutil
@@ -21,6 +22,7 @@ import subprocess
 import sys
 import tempfile
 
+import answers
 import functions
 import make
 import measures
@@ -260,6 +262,41 @@ def grade(chosen, hand_in, student, seed, workshop, build=SOURCE / "build/releas
     return [results.result(task, endings[task.id]) for task in chosen]
 
 
+# Slips of the grader ------------------------------------------------------------------------------
+
+
+def refuse_other_directory(chosen, hand_in):
+    """Raises TaskError if the directory has no file that could be graded."""
+    wanted = sorted({task.file or answers.FILE for task in chosen})
+    if not any((hand_in / file).is_file() for file in wanted):
+        raise tasks.TaskError(
+            f"{hand_in} is no hand-in: it has no {' and no '.join(wanted)}. "
+            "DIR is the directory that make.py wrote"
+        )
+
+
+def handed_out(hand_in):
+    """What the copy says about its tasks, task → its entry. The student may have changed it."""
+    try:
+        entries = json.loads((hand_in / "tests/assignments/tasks.json").read_text())
+        return {entry["id"]: entry for entry in entries}
+    except (OSError, ValueError, TypeError, KeyError, RecursionError):
+        return {}
+
+
+def doubts(chosen, hand_in, student):
+    """Sentences if the copy was made with other tasks, or for another --student."""
+    known = handed_out(hand_in)
+    if not known:
+        return
+    for task in chosen:
+        numbers = task.numbers(student)
+        if task.id not in known:
+            yield f"{hand_in} was made without {task.id}: the code there is the project's own"
+        elif known[task.id].get("numbers", numbers) != numbers:
+            yield f"{hand_in} has other numbers for {task.id} than --student {student} would have"
+
+
 # Films --------------------------------------------------------------------------------------------
 
 FILM_SECONDS = 120
@@ -382,6 +419,9 @@ def main():
     if not options.hand_in.is_dir():
         raise tasks.TaskError(f"{options.hand_in} is not a directory")
     chosen = tasks.select(options.tasks)
+    refuse_other_directory(chosen, options.hand_in)
+    for sentence in doubts(chosen, options.hand_in, options.student):
+        print(f"grade.py: {sentence}", file=sys.stderr)
     if not runs.sandbox():
         print(
             "grade.py: bubblewrap does not work here: the code of students runs with your rights, "

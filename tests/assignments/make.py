@@ -86,9 +86,16 @@ def files_of_compare_runs():
 # Answers that stand elsewhere ---------------------------------------------------------------------
 
 
+def statement(line):
+    """A line without spaces, comments, and the head of a loop, which many functions share."""
+    line = functions.squeezed(line)
+    head = re.match(r"for\((?:[^()]|\([^()]*\))*\)", line)
+    return line[head.end() :] if head else line
+
+
 def telling_lines(body):
-    """The lines of a body that give an answer away, without spaces."""
-    lines = [functions.squeezed(line) for line in body.split("\n")]
+    """The statements of a body that give an answer away."""
+    lines = [statement(line) for line in body.split("\n")]
     return {
         line
         for line in lines
@@ -97,9 +104,20 @@ def telling_lines(body):
 
 
 def without_answers(lesson, lines):
-    """A lesson whose blocks of code have … in place of telling lines."""
-    return "\n".join(
-        "…" if functions.squeezed(line) in lines else line for line in lesson.split("\n")
+    """A lesson with … in place of each block of code that has a telling line: the loops and
+    conditions around it tell as much.
+    """
+
+    def shown(block):
+        tells = any(statement(line) in lines for line in block["code"].split("\n"))
+        indent = block["indent"]
+        return f"{indent}```cpp\n{indent}…\n{indent}```" if tells else block.group()
+
+    return re.sub(
+        r"^(?P<indent> *)```cpp\n(?P<code>.*?)^(?P=indent)```$",
+        shown,
+        lesson,
+        flags=re.MULTILINE | re.DOTALL,
     )
 
 
@@ -110,7 +128,7 @@ def refuse_answers(out, answers):
             continue
         for number, line in enumerate(path.read_text().split("\n"), 1):
             for task, lines in answers.items():
-                if functions.squeezed(line) in lines:
+                if statement(line) in lines:
                     raise TaskError(
                         f"{task} is answered by {path.relative_to(out)}, line {number}: {line.strip()}\n"
                         "Hand out tasks of one step together, or only one of the two tasks."
@@ -219,6 +237,8 @@ def take_bodies(task, out):
         text = (out / task.file).read_text()
         body = functions.body(text, function, task.file)
         given = task.given_body(body, function)
+        if task.kind == "write":
+            given = given.replace("\n", "\n" + functions.indentation(text, function))
         (out / task.file).write_text(functions.with_body(text, function, given, task.file))
         taken |= telling_lines(body) - telling_lines(given)
     return taken
@@ -231,7 +251,7 @@ def take_quotes(out, lines):
 
 def write_tasks(chosen, out, student):
     """The files of the copy that name the tasks: tasks.json, CMakeLists.txt and README.md."""
-    public = [public_part(task, out) for task in chosen]
+    public = [public_part(task, out, student) for task in chosen]
     (out / "tests/assignments/tasks.json").write_text(
         json.dumps(public, indent=1, ensure_ascii=False) + "\n"
     )
@@ -261,9 +281,9 @@ def see(step):
     return fill_text("see.md.in", step=step, film=" ".join(FILM))
 
 
-def public_part(task, out):
+def public_part(task, out, student):
     """What the copy tells of a task: nothing of its answer. `given`: the bodies that were handed
-    out.
+    out. `numbers`: those of the student.
     """
     text = (out / task.file).read_text() if task.file else ""
     given = [results.fingerprint(functions.body(text, name, task.file)) for name in task.functions]
@@ -277,6 +297,7 @@ def public_part(task, out):
         "lesson": task.lesson,
         "hint": task.hint,
         "given": given,
+        "numbers": task.numbers(student),
     }
 
 
@@ -358,8 +379,8 @@ def main():
         shutil.rmtree(unfinished, ignore_errors=True)
     for step in missing:
         print(
-            f"{options.out} has no reference film of {step}: build it first with "
-            "cmake --preset release && cmake --build --preset release --target " + step
+            f"{options.out} has no reference film of {step}: {options.build} has no such program. "
+            f"For a film, run cmake --build {options.build} --target {step} and make the copy again."
         )
     print(
         f"{options.out}: {len(chosen)} tasks, {sum(t.points for t in chosen)} points. Its README says how to begin."

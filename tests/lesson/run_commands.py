@@ -44,6 +44,7 @@ EXPENSIVE = (
      "it measures for minutes"),
     (r"compare_models|cantilever_points|draw_energy", "it draws pictures of a lesson"),
     (r"bench/", "it measures times"),
+    (r"_test\.py --task", "it compiles for a minute"),
     (r"--explain", "it measures for twenty seconds"),
     (r"^(for (h|k|fabric) in|while read)|step03\S+ .*--cells 80", "its runs take 6 to 45 s"),
 )

@@ -27,7 +27,7 @@ double common_factor(const MatX& got, const MatX& expected) {
 std::string guess(const MatX& got, const MatX& expected) {
   if (!got.allFinite()) return " It is not a number.";
   if (expected.isZero(0)) return "";
-  if (got.isZero(0)) return " Nothing was added.";
+  if (got.isZero(0) && got.size() > 1) return " Nothing was added.";
   const double s = common_factor(got, expected);
   if (std::abs(s + 1) < 1e-6) return " The sign is the opposite one.";
   if (expected.size() > 1 && !std::isnan(s))
