@@ -254,6 +254,18 @@ class ASlipOfTheGraderIsSaid(Hands):
             grade.refuse_other_directory(tasks.select(["A3.1", "C3.1"]), self.place)
 
 
+class AFilmHasWhatIsWritten(Hands):
+    def test_and_the_code_of_the_project_for_the_rest(self):
+        copy, studio = self.copy("A3"), self.place / "studio"
+        self.write_body(copy, "A3.3", "\n  return T;  // mine\n")
+        make.copy(tasks.select(["A3"]), studio, hand_out=False)
+        for task in tasks.select(["A3"]):
+            grade.put_bodies(task, copy, studio)
+        self.assertIn("return T;  // mine", (studio / EVERY["A3.3"].file).read_text())
+        for id in ("A3.1", "A3.2", "A3.4"):
+            self.assertNotIn(f'not_written("{id}"', (studio / EVERY[id].file).read_text())
+
+
 class Graded(Hands):
     """Hand-ins that are built."""
 

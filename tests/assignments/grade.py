@@ -318,10 +318,12 @@ def write_films(chosen, hand_in, work, programs, out):
 
 
 def put_bodies(task, hand_in, copy):
-    """What is refused, or cannot be read, stays as the project has it."""
+    """What is refused, cannot be read, or is not written yet, stays as the project has it."""
     try:
         bodies, helpers = handed_bodies(task, hand_in), handed_helpers(hand_in)
     except Refused:
+        return
+    if task.kind == "write" and is_given(task, bodies):
         return
     text = (copy / task.file).read_text()
     for name, body in zip(task.functions, bodies):

@@ -382,9 +382,8 @@ def main():
             f"{options.out} has no reference film of {step}: {options.build} has no such program. "
             f"For a film, run cmake --build {options.build} --target {step} and make the copy again."
         )
-    print(
-        f"{options.out}: {len(chosen)} tasks, {sum(t.points for t in chosen)} points. Its README says how to begin."
-    )
+    names, points = " ".join(task.id for task in chosen), sum(task.points for task in chosen)
+    print(f"{options.out}: {names}, {points} points. Its README says how to begin.")
 
 
 if __name__ == "__main__":
