@@ -4,7 +4,7 @@
     python3 tests/assignments/grade.py DIR A3 B3 --student ada --out results/ada
 
 DIR is the student's copy; of it, only the bodies of the named functions, helpers.h, and
-answers.toml are read. For each task the code goes into the project's own, so that a mistake costs
+answers.toml are graded. Its tasks.json is read to warn of another --student. For each task the code goes into the project's own, so that a mistake costs
 one task. Answers are compared with what the project's programs measure (measures.py). The result is
 a table, and in --out: results.json for Gradescope, junit.xml, and one file TASK.exit with an exit
 code for each task.
@@ -34,6 +34,7 @@ from tasks import SOURCE
 
 COMPILE_SECONDS = 120
 HELPERS = "common/math/helpers.h"
+BYTES = 1_000_000  # of one file of a hand-in
 
 
 class Refused(Exception):
@@ -57,10 +58,18 @@ def refuse_forbidden(text, where):
 
 
 def read(hand_in, file):
+    """The text of a file. Raises Refused also for a link to a device, which has no end."""
+    path = hand_in / file
     try:
-        return (hand_in / file).read_text()
+        if not path.is_file():
+            reason = "there is no such file"
+        elif path.stat().st_size > BYTES:
+            reason = f"it is larger than {BYTES // 1000} kB"
+        else:
+            return path.read_text()
     except (OSError, UnicodeDecodeError) as error:
-        raise Refused(f"The hand-in has no readable {file} ({type(error).__name__})") from None
+        reason = type(error).__name__
+    raise Refused(f"The hand-in has no readable {file}: {reason}")
 
 
 def handed_bodies(task, hand_in):
@@ -265,31 +274,21 @@ def grade(chosen, hand_in, student, seed, workshop, build=SOURCE / "build/releas
 # Slips of the grader ------------------------------------------------------------------------------
 
 
-def refuse_other_directory(chosen, hand_in):
-    """Raises TaskError if the directory has no file that could be graded."""
-    wanted = sorted({task.file or answers.FILE for task in chosen})
-    if not any((hand_in / file).is_file() for file in wanted):
-        raise tasks.TaskError(
-            f"{hand_in} is no hand-in: it has no {' and no '.join(wanted)}. "
-            "DIR is the directory that make.py wrote"
-        )
-
-
 def handed_out(hand_in):
     """What the copy says about its tasks, task → its entry. The student may have changed it."""
     try:
-        entries = json.loads((hand_in / "tests/assignments/tasks.json").read_text())
+        entries = json.loads(read(hand_in, "tests/assignments/tasks.json"))
         return {entry["id"]: entry for entry in entries}
-    except (OSError, ValueError, TypeError, KeyError, RecursionError):
+    except (Refused, ValueError, TypeError, KeyError, RecursionError):
         return {}
 
 
 def doubts(chosen, hand_in, student):
-    """Sentences if the copy was made with other tasks, or for another --student."""
+    """Sentences if the directory is no copy, or one with other tasks, or for another --student."""
+    if not any((hand_in / (task.file or answers.FILE)).is_file() for task in chosen):
+        yield f"{hand_in} has no file of these tasks: it is not what make.py wrote"
     known = handed_out(hand_in)
-    if not known:
-        return
-    for task in chosen:
+    for task in chosen if known else []:
         numbers = task.numbers(student)
         if task.id not in known:
             yield f"{hand_in} was made without {task.id}: the code there is the project's own"
@@ -421,7 +420,6 @@ def main():
     if not options.hand_in.is_dir():
         raise tasks.TaskError(f"{options.hand_in} is not a directory")
     chosen = tasks.select(options.tasks)
-    refuse_other_directory(chosen, options.hand_in)
     for sentence in doubts(chosen, options.hand_in, options.student):
         print(f"grade.py: {sentence}", file=sys.stderr)
     if not runs.sandbox():
