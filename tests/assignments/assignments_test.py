@@ -5,7 +5,7 @@
     python3 tests/assignments/assignments_test.py --task A3.4
 
 --full: both mistakes of every task, and the build of every copy, some ten minutes.
---task: of one task A or B its check, its mistakes, and its copy, in a minute. It may be given again.
+--task: the check of one task A or B, its mistakes, and its copy, in a minute; for two, give it twice.
 """
 import argparse
 import json

@@ -3,11 +3,11 @@
 
     python3 tests/assignments/grade.py DIR A3 B3 --student ada --out results/ada
 
-DIR is the student's copy; of it, only the bodies of the named functions, helpers.h, and
-answers.toml are graded. Its tasks.json is read to warn of another --student. For each task the code goes into the project's own, so that a mistake costs
-one task. Answers are compared with what the project's programs measure (measures.py). The result is
-a table, and in --out: results.json for Gradescope, junit.xml, and one file TASK.exit with an exit
-code for each task.
+DIR is the student's copy. The bodies of the named functions, helpers.h, and answers.toml are graded,
+and tasks.json is read to warn of another --student. For each task the code goes into the project's
+own, so that a mistake costs one task. Answers are compared with what the project's programs measure
+(measures.py). The result is a table, and in --out: results.json for Gradescope, junit.xml, and one
+file TASK.exit with an exit code for each task.
 
 Exit code: 0 if all tasks passed, 1 if not, 2 if the command cannot be used.
 """
