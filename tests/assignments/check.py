@@ -41,7 +41,17 @@ def build(target):
     if not (BUILD / "CMakeCache.txt").exists():
         print("Configuring …", flush=True)
         done = subprocess.run(
-            ["cmake", "-S", COPY, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"],
+            [
+                "cmake",
+                "-S",
+                COPY,
+                "-B",
+                BUILD,
+                "-G",
+                "Ninja",
+                "-DCMAKE_BUILD_TYPE=Release",
+                "-DCMAKE_CXX_FLAGS=",
+            ],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

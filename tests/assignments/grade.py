@@ -101,8 +101,7 @@ def handed_helpers(hand_in):
 
 
 class Workshop:
-    """A copy in which all bodies are the project's. It is made once, and is used for every hand-in.
-    """
+    """A copy in which all bodies are the project's. It is made once, and is used for every hand-in."""
 
     def __init__(self, directory, chosen):
         self.directory, self.build = directory, directory / "build"
@@ -138,6 +137,7 @@ class Workshop:
             "-G",
             "Ninja",
             "-DCMAKE_BUILD_TYPE=Release",
+            "-DCMAKE_CXX_FLAGS=",
             f"-DHAND_IN={self.hand_in}",
         )
         # What no student writes is built now, so that it takes no time from the first hand-in.
