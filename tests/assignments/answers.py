@@ -1,8 +1,13 @@
 """Reads answers.toml: one number for each task that asks for a measurement, "C1.1" = 2.6e-4."""
+import re
 import tomllib
 
 FILE = "answers.toml"
 BYTES = 100_000
+EXAMPLE = (
+    'Write a line such as "C1.1" = 2.6e-4, with the task in quotes, a point in the number, '
+    "and no unit"
+)
 
 
 class AnswerError(Exception):
@@ -20,10 +25,18 @@ def read(directory):
         if len(text) > BYTES:
             raise AnswerError(f"{FILE} is larger than {BYTES // 1000} kB")
         return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise AnswerError(f"{FILE} cannot be read: {place(text, error)}. {EXAMPLE}") from None
     except (OSError, ValueError, RecursionError) as error:
-        raise AnswerError(
-            f"{FILE} cannot be read: {str(error)[:200]}. " 'A line of it is "C1.1" = 2.6e-4'
-        ) from None
+        raise AnswerError(f"{FILE} cannot be read: {str(error)[:200]}. {EXAMPLE}") from None
+
+
+def place(text, error):
+    """The line that is no TOML, if the error names it."""
+    if not (found := re.search(r"at line (\d+)", str(error))):
+        return str(error)[:100]
+    number = int(found.group(1))
+    return f"line {number} is {text.splitlines()[number - 1].strip()[:60]}"
 
 
 def number(directory, task):

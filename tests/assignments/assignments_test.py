@@ -17,7 +17,9 @@ import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
+from unittest import mock
 
+import check
 import functions
 import grade
 import make
@@ -183,6 +185,45 @@ class CopiesHaveNoAnswers(Hands):
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn(f"total    0 of {sum(t.points for t in chosen)} points", done.stdout)
                 self.assertFalse((copy / "build").exists())
+
+    # What ./check lets pass, the grader takes.
+    def test_check_refuses_what_the_grader_refuses(self):
+        copy = self.copy("A3")
+        file = copy / EVERY["A3.3"].file
+        given = file.read_text()
+        for change, words in (
+            (
+                lambda: self.write_body(copy, "A3.3", "\n#include <cmath>\n"),
+                "begins with # is not taken",
+            ),
+            (
+                lambda: file.write_text(given.replace("positive_part(", "mine(")),
+                "must stay as they were handed out",
+            ),
+            (
+                lambda: file.write_text(given + "namespace x {"),
+                "tension.h, line [0-9]+: '{' is never closed",
+            ),
+        ):
+            file.write_text(given)
+            change()
+            done = subprocess.run([copy / "check", "A3.3"], capture_output=True, text=True)
+            self.assertRegex(" ".join(done.stdout.split()), words, done.stderr)
+            self.assertRegex(grade.code_of(EVERY["A3.3"], copy, "nobody").message, words)
+
+    def test_a_refused_line_has_its_number_in_the_file(self):
+        copy = self.copy("A3")
+        self.write_body(copy, "A3.3", "\n#include <cmath>\n")
+        lines = (copy / EVERY["A3.3"].file).read_text().split("\n")
+        words = f"tension.h, line {1 + lines.index('#include <cmath>')}: a line that begins with #"
+        self.assertIn(words, grade.code_of(EVERY["A3.3"], copy, "nobody").message)
+
+    def test_the_film_of_a_student_has_the_numbers_of_the_student(self):
+        task, copy = EVERY["D1.1"], self.copy("D1.1")
+        with mock.patch.object(grade.Workshop, "run"), mock.patch.object(grade, "write_film"):
+            grade.write_films([task], copy, "ada", self.place / "work", None, self.place / "out")
+        numbers = (self.place / "work/films/copy" / task.numbers_file).read_text()
+        self.assertIn(f"= {task.numbers('ada')['strain_limit']};", numbers)
 
     @unittest.skipUnless(FULL, "--full")
     def test_a_fresh_copy_builds(self):
@@ -381,7 +422,7 @@ class BadHandInsCostOnlyTheirTask(Graded):
         for body, words in (
             (
                 '\n#include "/etc/passwd"\n return T;',
-                "line 2: a line that begins with # is not taken",
+                "a line that begins with # is not taken",
             ),
             ("\n%:include <x>\n", "a line that begins with #"),
             ("/* */ # define x\n", "a line that begins with #"),
@@ -437,6 +478,43 @@ class BadHandInsCostOnlyTheirTask(Graded):
         )
         found = grade.grade([EVERY["A3.3"], EVERY["A3.1"]], copy, "nobody", 1, self.workshop)
         self.assertEqual([(r.state, r.score) for r in found], [(PASSED, 6), (UNWRITTEN, 0)])
+
+
+class MessagesAreClear(unittest.TestCase):
+    def test_an_exception_has_its_own_text(self):
+        for first in ("", "unknown file\n"):
+            message = first + 'C++ exception with description "no f" thrown in the test body.'
+            self.assertEqual(runs.sentence(message), "no f")
+
+    def test_a_failure_has_the_words_of_the_check(self):
+        message = "x.cpp:1\nFailed\nC: expected 1, got 2"
+        self.assertEqual(runs.sentence(message), "C: expected 1, got 2")
+
+    def test_an_error_of_the_compiler_has_its_line_of_code(self):
+        output = (
+            "In file included from b.cpp:1:\n"
+            "a.h:48:31: error: no match (‘Vecs<1>’ {aka ‘std::array<Vec3, 1>’} and ‘int’)\n"
+            "   48 |     dCdy = 1;\n      |            ^\n"
+        )
+        self.assertEqual(
+            runs.first_error(output),
+            "a.h:48:31: error: no match (‘Vecs<1>’ and ‘int’)\ndCdy = 1;",
+        )
+        self.assertEqual(runs.first_line("all is well\n", " warning: "), "")
+
+    def test_a_failure_has_the_warning_of_the_compiler(self):
+        output = "a.h:4:12: warning: declaration of ‘C’ shadows a member\n    4 |     double C = 1;\n"
+        self.assertIn("\ndouble C = 1;", check.with_warning(runs.Ending(FAILED), output).message)
+        self.assertEqual(check.with_warning(runs.Ending(FAILED), "").message, "")
+        self.assertEqual(check.with_warning(runs.Ending(PASSED), output).message, "")
+
+    def test_a_wrong_index_is_named(self):
+        with tempfile.TemporaryDirectory() as place:
+            output = pathlib.Path(place) / "output"
+            output.write_text("checks: Block.h:1: f(): Assertion `i < rows()' failed.\n")
+            ending = runs.ending(128 + 6, False, output, output, "word")
+        self.assertEqual(ending.state, FAILED)
+        self.assertIn("wrong index or a wrong size: `i < rows()` does not hold", ending.message)
 
 
 class ResultsAreWritten(Hands):

@@ -2,6 +2,7 @@
 """Checks tasks of this copy: builds the check of each task and runs it.
 
     ./check A3.1          one task
+    ./check A3            all tasks A3.…
     ./check               all of them
 """
 import argparse
@@ -13,7 +14,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import answers
-import functions
+import handed
 import results
 import runs
 
@@ -29,15 +30,13 @@ class Part:
         self.target = "check_" + self.id.replace(".", "_")
 
 
-def is_given(task):
+def is_given(task, bodies):
     """True if every body is the one that was handed out."""
-    text = (COPY / task.file).read_text()
-    bodies = [functions.body(text, name, task.file) for name in task.functions]
     return [results.fingerprint(body) for body in bodies] == task.given
 
 
 def build(target):
-    """The output of the build, empty if it succeeded."""
+    """(whether it succeeded, the output of the compiler)"""
     if not (BUILD / "CMakeCache.txt").exists():
         print("Configuring …", flush=True)
         done = subprocess.run(
@@ -64,20 +63,21 @@ def build(target):
         stderr=subprocess.STDOUT,
         text=True,
     )
-    return done.stdout if done.returncode else ""
+    return done.returncode == 0, done.stdout.replace(f"{COPY}/", "")
 
 
 def answered(task):
-    """Of a task that measures: whether answers.toml has a number. Only the grader knows whether it
-    is right.
-    """
+    """Of a task that measures: whether answers.toml has a number."""
     try:
         number = answers.number(COPY, task.id)
     except answers.AnswerError as error:
         return runs.Ending(runs.FAILED, str(error))
-    has = "no number" if number is None else f"the number {number:g}"
+    if number is None:
+        return runs.Ending(runs.UNWRITTEN, f"answers.toml has no number for {task.id}.")
     return runs.Ending(
-        runs.UNWRITTEN, f"answers.toml has {has} for {task.id}. The grader compares it."
+        runs.ANSWERED,
+        f"answers.toml has the number {number:g} for {task.id}. "
+        "Only the grader knows whether it is right.",
     )
 
 
@@ -85,14 +85,23 @@ def check(task):
     if task.kind == "measure":
         return answered(task)
     try:
-        if is_given(task):
+        if is_given(task, handed.bodies(task, COPY)):
             return runs.Ending(runs.UNWRITTEN, results.KINDS[task.kind])
-    except (OSError, functions.CodeError) as error:
+        handed.helpers(COPY)
+    except handed.Refused as error:
         return runs.Ending(runs.FAILED, str(error))
     print(f"Building the check of {task.id} …", flush=True)
-    if output := build(task.target):
+    built, output = build(task.target)
+    if not built:
         return runs.Ending(runs.FAILED, "It does not compile: " + runs.first_error(output))
-    return runs.run_check(BUILD / "checks" / task.target)
+    return with_warning(runs.run_check(BUILD / "checks" / task.target), output)
+
+
+def with_warning(ending, output):
+    """A failure, with the first warning of the compiler: it often says why."""
+    if ending.state == runs.FAILED and (warning := runs.first_line(output, " warning: ")):
+        ending.message += "\nThe compiler warns: " + warning
+    return ending
 
 
 def main():
@@ -103,14 +112,17 @@ def main():
     parser.add_argument(
         "tasks", nargs="*", metavar="TASK", help=f"{', '.join(every)}; without one, all of them"
     )
-    names = parser.parse_args().tasks or list(every)
-    if unknown := [name for name in names if name not in every]:
-        print(
-            f"check: there is no task {unknown[0]} here; there are {', '.join(every)}",
-            file=sys.stderr,
-        )
-        return 2
-    found = [results.result(every[name], check(every[name])) for name in names]
+    chosen = []
+    for name in parser.parse_args().tasks or list(every):
+        hits = [id for id in every if id == name or id.startswith(name + ".")]
+        if not hits:
+            print(
+                f"check: there is no task {name} here; there are {', '.join(every)}",
+                file=sys.stderr,
+            )
+            return 2
+        chosen += [id for id in hits if id not in chosen]
+    found = [results.result(every[id], check(every[id])) for id in chosen]
     print(results.table(found))
     return 0 if all(r.state == runs.PASSED for r in found) else 1
 

@@ -10,6 +10,10 @@ class CodeError(Exception):
     """One clear sentence about C++ text that cannot be used."""
 
 
+class NotFound(CodeError):
+    """A text has no such function."""
+
+
 NOT_CODE = re.compile(
     r"""
     //[^\n]* | /\*.*?\*/                              # comments
@@ -129,9 +133,12 @@ def functions(text):
 
 def find(text, wanted, where="the text"):
     """The one function that is called so. Raises CodeError if there is none, or more than one."""
-    hits = [f for f in functions(text) if f.is_called(wanted)]
+    try:
+        hits = [f for f in functions(text) if f.is_called(wanted)]
+    except CodeError as error:
+        raise CodeError(f"{where}, {error}") from None
     if not hits:
-        raise CodeError(f"{where} has no function {wanted}")
+        raise NotFound(f"{where} has no function {wanted}" + ", …)" * ("(" in wanted))
     if len(hits) > 1:
         lines = ", ".join(str(text.count("\n", 0, f.head) + 1) for f in hits)
         raise CodeError(

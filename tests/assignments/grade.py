@@ -24,76 +24,17 @@ import tempfile
 
 import answers
 import functions
+import handed
 import make
 import measures
 import results
 import runs
 import tasks
+from handed import Refused
 from runs import FAILED, PASSED, UNWRITTEN, Ending
 from tasks import SOURCE
 
 COMPILE_SECONDS = 120
-HELPERS = "common/math/helpers.h"
-BYTES = 1_000_000  # of one file of a hand-in
-
-
-class Refused(Exception):
-    """What a hand-in must not have, as a sentence."""
-
-
-# What is taken from a hand-in ---------------------------------------------------------------------
-
-
-def refuse_forbidden(text, where):
-    """Raises Refused for a # line, and for words that make the compiler read other files."""
-    code = functions.NOT_CODE.sub(functions.blank, text)
-    for number, line in enumerate(code.split("\n"), 1):
-        if re.match(r"\s*(#|%:)", line):
-            raise Refused(
-                f"{where}, line {number}: a line that begins with # is not taken: "
-                f"{text.splitlines()[number - 1].strip()}"
-            )
-        if word := re.search(r"\b(asm|__asm|__asm__|_Pragma)\b", line):
-            raise Refused(f"{where}, line {number}: the word {word.group()} is not taken")
-
-
-def read(hand_in, file):
-    """The text of a file. Raises Refused also for a link to a device, which has no end."""
-    path = hand_in / file
-    try:
-        if not path.is_file():
-            reason = "there is no such file"
-        elif path.stat().st_size > BYTES:
-            reason = f"it is larger than {BYTES // 1000} kB"
-        else:
-            return path.read_text()
-    except (OSError, UnicodeDecodeError) as error:
-        reason = type(error).__name__
-    raise Refused(f"The hand-in has no readable {file}: {reason}")
-
-
-def handed_bodies(task, hand_in):
-    """The bodies of the task's functions, in order."""
-    text = read(hand_in, task.file)
-    bodies = []
-    for name in task.functions:
-        try:
-            bodies.append(functions.body(text, name, task.file))
-        except functions.CodeError as error:
-            raise Refused(f"{error}. It must stand where it was handed out.") from None
-        refuse_forbidden(bodies[-1], f"{task.file}, {name}")
-    return bodies
-
-
-def handed_helpers(hand_in):
-    """helpers.h of the hand-in. Empty if there is nothing in it."""
-    if not (hand_in / HELPERS).exists():
-        return ""
-    text = read(hand_in, HELPERS).replace("#pragma once", "", 1)
-    if not functions.squeezed(text):
-        return ""
-    refuse_forbidden(text, HELPERS)
-    return "#pragma once\n" + text
 
 
 # The workshop: the project's own code, in which one task at a time is the student's
@@ -115,13 +56,13 @@ class Workshop:
             fcntl.flock(lock, fcntl.LOCK_EX)
             yield self
 
-    def prepare(self):
-        """Writes the copy and configures it. Files that have not changed keep their time: nothing
-        is rebuilt.
+    def prepare(self, student="nobody"):
+        """Writes the copy, with the numbers of a student, and configures it. Files that have not
+        changed keep their time: nothing is rebuilt.
         """
         fresh = self.directory / "fresh"
         shutil.rmtree(fresh, ignore_errors=True)
-        make.copy(list(self.chosen.values()), fresh, hand_out=False)
+        make.copy(list(self.chosen.values()), fresh, hand_out=False, student=student)
         for path in fresh.rglob("*"):
             old = self.directory / "copy" / path.relative_to(fresh)
             if path.is_file() and not (old.exists() and old.read_bytes() == path.read_bytes()):
@@ -232,7 +173,7 @@ def changed_files(task, bodies, helpers, student):
         text = functions.with_body(text, name, body, task.file)
     changed = {task.file: text}
     if helpers:
-        changed[HELPERS] = helpers
+        changed[handed.HELPERS] = helpers
     if task.kind == "invent" and task.given:
         changed[task.numbers_file] = make.numbers_header(task, student)
     return changed
@@ -241,12 +182,12 @@ def changed_files(task, bodies, helpers, student):
 def code_of(task, hand_in, student):
     """What is known without a check, or else the files in which the student's code stands."""
     try:
-        bodies = handed_bodies(task, hand_in)
+        bodies = handed.bodies(task, hand_in)
         if is_given(task, bodies):
             return Ending(UNWRITTEN, results.KINDS[task.kind])
         if task.kind != "invent" and is_project(task, bodies):
             return Ending(PASSED)
-        return changed_files(task, bodies, handed_helpers(hand_in), student)
+        return changed_files(task, bodies, handed.helpers(hand_in), student)
     except Refused as error:
         return Ending(FAILED, str(error))
 
@@ -301,12 +242,12 @@ def doubts(chosen, hand_in, student):
 FILM_SECONDS = 120
 
 
-def write_films(chosen, hand_in, work, programs, out):
+def write_films(chosen, hand_in, student, work, programs, out):
     """out/films/STEP/report.html: the film of the project and that of the student, with all bodies of the student
     that are taken. Returns a sentence for each step that has no film."""
     studio = Workshop(work / "films", chosen)
     with studio.locked():
-        studio.prepare()
+        studio.prepare(student)
         for task in chosen:
             put_bodies(task, hand_in, studio.directory / "copy")
         return [
@@ -319,7 +260,7 @@ def write_films(chosen, hand_in, work, programs, out):
 def put_bodies(task, hand_in, copy):
     """What is refused, cannot be read, or is not written yet, stays as the project has it."""
     try:
-        bodies, helpers = handed_bodies(task, hand_in), handed_helpers(hand_in)
+        bodies, helpers = handed.bodies(task, hand_in), handed.helpers(hand_in)
     except Refused:
         return
     if task.kind == "write" and is_given(task, bodies):
@@ -329,7 +270,7 @@ def put_bodies(task, hand_in, copy):
         text = functions.with_body(text, name, body, task.file)
     (copy / task.file).write_text(text)
     if helpers:
-        (copy / HELPERS).write_text(helpers)
+        (copy / handed.HELPERS).write_text(helpers)
 
 
 def write_film(step, studio, programs, out):
@@ -439,7 +380,7 @@ def main():
     if options.frames:
         code = [task for task in chosen if task.check]
         for sentence in write_films(
-            code, options.hand_in, options.work, options.build, options.out
+            code, options.hand_in, options.student, options.work, options.build, options.out
         ):
             print(sentence)
     return 0 if all(r.state == PASSED for r in found) else 1

@@ -36,8 +36,22 @@ STUDENT_FILES = {
     "check": "check",
     "Containerfile": "Containerfile",
 }
+HOW = {  # what each kind of task asks for
+    "write": "**Write** (A). The body of a function is missing. The comment above the function "
+    "has its formula, and\n  the lesson derives it.",
+    "mend": "**Find the mistake** (B). A function has a mistake. Find it and mend it.",
+    "measure": "**Measure** (C). You have a scene of your own. Run it, and write the number into\n"
+    "  [answers.toml](answers.toml). `./check` reads the number, and only the grader knows whether\n"
+    "  it is right.",
+    "invent": "**Invent** (D). You write a condition or a force that the project does not have, "
+    "into a file\n  of `inventions`.",
+}
+NEEDS = (
+    " Solve the tasks A\nand B first: the program uses their functions, "
+    "and stops where one is missing."
+)
 FILM = ["--size", "640x360", "--export", "obj"]  # of the run that a student compares with
-TOOLS = ["answers.py", "functions.py", "runs.py", "results.py", "check.py"]
+TOOLS = ["answers.py", "functions.py", "handed.py", "runs.py", "results.py", "check.py"]
 
 
 # The files of a copy ------------------------------------------------------------------------------
@@ -263,22 +277,23 @@ def write_tasks(chosen, out, student):
         steps="\n".join(f"add_subdirectory({step} EXCLUDE_FROM_ALL)" for step in steps),
         checks="\n".join(f"check({check})" for check in checks),
     )
-    measured = any(task.kind == "measure" for task in chosen)
+    kinds = {task.kind for task in chosen}
     fill(
         "README.md",
         out,
+        kinds="\n".join(f"- {text}" for kind, text in HOW.items() if kind in kinds),
         first=chosen[0].id,
         points=str(sum(task.points for task in chosen)),
         count=str(len(chosen)),
-        answers=" and answers.toml" if measured else "",
-        see="\n".join(see(step) for step in steps),
+        answers=" and answers.toml" if "measure" in kinds else "",
+        see="\n".join(see(step, NEEDS if kinds & {"write", "mend"} else "") for step in steps),
         tasks="\n".join(section(task, student) for task in chosen),
     )
 
 
-def see(step):
+def see(step, needs):
     """How a student sees the program of a step, and compares it with the project's."""
-    return fill_text("see.md.in", step=step, film=" ".join(FILM))
+    return fill_text("see.md.in", step=step, needs=needs, film=" ".join(FILM))
 
 
 def public_part(task, out, student):
@@ -315,16 +330,17 @@ def section(task, student):
     """The task in the README of the copy."""
     ask = {
         "write": "Write `{f}` in [{file}]({file}).",
-        "invent": "{q}\n\nWrite `{f}` in [{file}]({file}).",
+        "invent": "Write `{f}` in [{file}]({file}).",
         "mend": "`{f}` in [{file}]({file}) has a mistake. Find it and mend it.",
-        "measure": "{q}\n\nThe scene: `build/{p}/{p} measure/{id}/scene.toml --no-pictures`. Write your answer into "
-        "[answers.toml](answers.toml).",
+        "measure": "The scene: `build/{p}/{p} measure/{id}/scene.toml --no-pictures`, with the program "
+        "that you have\nbuilt as above. Write your answer into [answers.toml](answers.toml).",
     }[task.kind]
     names = "`, `".join(re.sub(r"\(.*", "", f) for f in task.functions)
-    question = task.question.strip().format(**task.numbers(student)) if task.question else ""
+    question = task.question.strip().format(**task.numbers(student))
     return (
         f"### {task.id} · {task.title} ({task.points} points, about {task.minutes} minutes)\n\n"
-        + ask.format(f=names, file=task.file, q=question, p=PROGRAMS[task.step], id=task.id)
+        + (question and f"{question}\n\n")
+        + ask.format(f=names, file=task.file, p=PROGRAMS[task.step], id=task.id)
         + f" The lesson: [{task.lesson}]({task.lesson}).\n\n"
         f"<details><summary>A hint</summary>\n\n{task.hint}\n\n</details>\n"
     )

@@ -59,7 +59,7 @@ class Answer:
 
 def within(value, share, reason):
     """An answer from which another one may differ by a share of it."""
-    return Answer((value,), share, f"{100 * share:g} % are allowed: {reason}.")
+    return Answer((value,), share, f"An error of {100 * share:g} % is allowed: {reason}.")
 
 
 # Runs ---------------------------------------------------------------------------------------------
@@ -277,7 +277,7 @@ class Explosion(Measure):
         return Answer(
             (step * h,),
             allowed / step,
-            f"{allowed:.2g} steps are allowed: what is lost with the last digit of h_crit, or by the "
+            f"An error of {allowed:.2g} steps is allowed: what is lost with the last digit of h_crit, or by the "
             "rounding of another machine, grows in every step.",
         )
 

@@ -26,7 +26,7 @@ import grade as grader
 import make
 import measures
 import tasks
-from runs import FAILED, PASSED, UNWRITTEN
+from runs import ANSWERED, FAILED, PASSED, UNWRITTEN
 
 SETTINGS = argparse.Namespace(build=tasks.SOURCE / "build/release", full=False)
 TASKS = {id: task for id, task in tasks.load_all().items() if task.kind == "measure"}
@@ -189,7 +189,8 @@ class AnswersFile(unittest.TestCase):
 
     def test_with_something_else_fails_with_a_sentence(self):
         for text, words in (
-            ('"C1.1" = ', "cannot be read"),
+            ('"C1.1" =\n', 'line 1 is "C1.1" =. Write a line such as'),
+            ('# mine\n"C1.1" = 2,5 N/m', 'line 2 is "C1.1" = 2,5 N/m. Write a line such as'),
             (b"\xff\xfe", "cannot be read"),
             ('"C1.1" = ' + "[" * 50_000, "cannot be read"),
             ('"C1.1" = ' + "1" * 5000, "cannot be read"),
@@ -214,7 +215,7 @@ class AnswersFile(unittest.TestCase):
 
     def test_is_looked_at_by_check(self):
         for text, state, words in (
-            ('"C1.1" = 3', UNWRITTEN, "the number 3 "),
+            ('"C1.1" = 3', ANSWERED, "the number 3 "),
             ("", UNWRITTEN, "no number"),
             ('"C1.1" = "x"', FAILED, "is not a number"),
         ):

@@ -9,6 +9,7 @@ import dataclasses
 import functools
 import os
 import pathlib
+import re
 import resource
 import secrets
 import shutil
@@ -19,6 +20,7 @@ import xml.etree.ElementTree as ElementTree
 
 SECONDS, MEGABYTES, OUTPUT = 20, 4096, 10_000_000
 PASSED, FAILED, UNWRITTEN = "passed", "failed", "unwritten"
+ANSWERED = "answered"  # with a number that only the grader can compare
 
 
 @dataclasses.dataclass
@@ -151,6 +153,13 @@ def ending(code, late, output, report, word):
             "The check crashed: it read or wrote memory that does not belong to it "
             "(a place beyond the end of a vector?).",
         )
+    if code in (-signal.SIGABRT, 128 + signal.SIGABRT):
+        if broken := re.search(r"Assertion [`'](.*)' failed", output.read_text(errors="replace")):
+            return Ending(
+                FAILED,
+                "The check stopped at a wrong index or a wrong size: "
+                f"`{broken.group(1)}` does not hold.",
+            )
     if output.stat().st_size >= OUTPUT:
         return Ending(FAILED, "The check wrote more than 10 MB.")
     if not output.read_bytes().endswith(f"\n{word}\n".encode()):
@@ -172,9 +181,10 @@ def ending(code, late, output, report, word):
 
 def sentence(message):
     """Of GoogleTest's message, the words of the check. An exception has its own text."""
+    thrown = r'^C\+\+ exception with description "(.*)" thrown in'
+    if found := re.search(thrown, message, re.MULTILINE | re.DOTALL):
+        return found.group(1)
     lines = message.split("\n")
-    if lines[0].startswith("C++ exception with description"):
-        return message.split('"')[1]
     return "\n".join(line for line in lines[1:] if line != "Failed").strip() or message
 
 
@@ -183,8 +193,18 @@ def last_line(output):
     return lines[-1]
 
 
+def first_line(output, *words):
+    """Of the output of a compiler, the first line that has one of the words, and its code below."""
+    lines = output.split("\n")
+    for line, below in zip(lines, lines[1:] + [""]):
+        if any(word in line for word in words):
+            line = re.sub(r" \{aka ‘[^’]*’\}", "", line.strip())
+            code = re.match(r"\s*\d+ \|\s*(.*)", below)
+            return f"{line}\n{code.group(1)}" if code else line
+    return ""
+
+
 def first_error(output):
     """The first error of a compiler, without the rest of its explanations."""
-    lines = output.split("\n")
-    errors = [line for line in lines if " error: " in line or "undefined reference" in line]
-    return errors[0].strip() if errors else "\n".join(lines[-5:]).strip()
+    found = first_line(output, " error: ", "undefined reference")
+    return found or "\n".join(output.split("\n")[-5:]).strip()
