@@ -25,9 +25,10 @@ double common_factor(const MatX& got, const MatX& expected) {
 }
 
 std::string guess(const MatX& got, const MatX& expected) {
-  if (!got.allFinite()) return " It is not a number.";
+  if (!got.allFinite()) return " It is not a finite number.";
+  if (expected.size() > 1 && expected.isZero(0)) return " All of it must be zero.";
   if (expected.isZero(0)) return "";
-  if (got.isZero(0) && got.size() > 1) return " Nothing was added.";
+  if (expected.size() > 1 && got.isZero(0)) return " All of it is zero.";
   const double s = common_factor(got, expected);
   if (std::abs(s + 1) < 1e-6) return " The sign is the opposite one.";
   if (expected.size() > 1 && !std::isnan(s))
@@ -53,10 +54,10 @@ std::string disagreement(const MatX& got, const MatX& expected, double tolerance
   std::string place;
   if (got.size() > 1)
     place = got.cols() == 1
-                ? " in number " + std::to_string(row)
+                ? " in entry " + std::to_string(row)
                 : " in row " + std::to_string(row) + ", column " + std::to_string(column);
   return "expected " + number(expected(row, column)) + ", got " + number(got(row, column)) + place +
-         " (tolerance " + number(tolerance) + ")." + guess(got, expected);
+         (tolerance > 0 ? " (tolerance " + number(tolerance) + ")." : ".") + guess(got, expected);
 }
 
 MatX slope_of(const Function& f, const VecX& x, double h) {

@@ -20,13 +20,19 @@ struct Case {
   Vecs<2> f_y;
 };
 
-// The work of the forces is the same on y and on the vertices:  Σ f_i·x_i = Σ f_m·y_m.
+// The forces do the same work on the vertices as on y. So f_i is the slope of Σ f_m·y_m by x_i.
 TEST(Scatter, DoesTheSameWork) {
   Random random(seed());
   for (int i = 0; i < 20; ++i) {
     const Case c(random);
-    AGREES("Σ f_i·x_i, compared with Σ f_m·y_m", c.scattered().dot(c.x),
-           joined(c.f_y).dot(joined(gather(c.t, c.x))), 1e-10);
+    const auto work = [&](const VecX& x) {
+      return one_number(joined(c.f_y).dot(joined(gather(c.t, x))));
+    };
+    const VecX got = c.scattered(), expected = slope_of(work, c.x, 1).transpose();
+    for (const int vertex : c.t.vertices)
+      AGREES(
+          "the force on vertex " + std::to_string(vertex) + " of a triangle with vertices 4, 1, 2",
+          got.segment<3>(3 * vertex), expected.segment<3>(3 * vertex), 1e-9);
   }
 }
 

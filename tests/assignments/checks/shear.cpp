@@ -32,8 +32,8 @@ TEST(Shear, GradientIsTheSlopeOfC) {
     const Triangle t = make_triangle(random_rest(random));
     const Vecs<2> w = pose_w(pose, random);
     const auto C = [&](const VecX& y) { return one_number(Shear(t, split<2>(y)).C); };
-    AGREES(std::string("∂C/∂(w_u, w_v) in the pose ") + name(pose), joined(Shear(t, w).dCdy),
-           slope_of(C, joined(w), 1e-3).transpose(), 1e-8);
+    AGREES(std::string("∂C/∂(w_u, w_v) of a triangle in the pose ") + name(pose),
+           joined(Shear(t, w).dCdy), slope_of(C, joined(w), 1e-3).transpose(), 1e-8);
   }
 }
 

@@ -41,7 +41,7 @@ TEST(Stretch, GradientIsTheSlopeOfC) {
     };
     const VecX got = Stretch(t, w, 0, 0.9).dCdy[0];
     const MatX expected = slope_of(C, w[0], 1e-3 * w[0].norm()).transpose();
-    AGREES(std::string("∂C/∂w_u in the pose ") + name(pose), got, expected, 1e-8);
+    AGREES(std::string("∂C/∂w_u of a triangle in the pose ") + name(pose), got, expected, 1e-8);
   }
 }
 

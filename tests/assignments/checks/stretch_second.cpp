@@ -15,8 +15,8 @@ TEST(StretchSecond, IsTheSlopeOfTheGradient) {
         return Stretch(t, moved, m).dCdy[0];
       };
       const MatX expected = slope_of(gradient, w[m], 1e-3 * w[m].norm());
-      AGREES(std::string("∂²C/∂w² in the pose ") + name(pose), Stretch(t, w, m).second()[0][0],
-             expected, 1e-7 * expected.norm() + 1e-9);
+      AGREES(std::string("∂²C/∂w² of a triangle in the pose ") + name(pose),
+             Stretch(t, w, m).second()[0][0], expected, 1e-7 * expected.norm() + 1e-9);
     }
   }
 }
