@@ -22,6 +22,7 @@ from unittest import mock
 import check
 import functions
 import grade
+import handed
 import make
 import results
 import runs
@@ -451,7 +452,7 @@ class BadHandInsCostOnlyTheirTask(Graded):
         file.symlink_to("/dev/zero")
         self.assertIn("there is no such file", grade.code_of(EVERY["A3.3"], copy, "nobody").message)
         file.unlink()
-        file.write_text(" " * (grade.BYTES + 1))
+        file.write_text(" " * (handed.BYTES + 1))
         self.assertIn("larger than 1000 kB", grade.code_of(EVERY["A3.3"], copy, "nobody").message)
 
     # The grader takes named bodies and helpers.h: a changed check or header of the copy counts for

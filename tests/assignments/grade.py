@@ -218,7 +218,7 @@ def grade(chosen, hand_in, student, seed, workshop, build=SOURCE / "build/releas
 def handed_out(hand_in):
     """What the copy says about its tasks, task → its entry. The student may have changed it."""
     try:
-        entries = json.loads(read(hand_in, "tests/assignments/tasks.json"))
+        entries = json.loads(handed.read(hand_in, "tests/assignments/tasks.json"))
         return {entry["id"]: entry for entry in entries}
     except (Refused, ValueError, TypeError, KeyError, RecursionError):
         return {}

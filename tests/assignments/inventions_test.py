@@ -16,6 +16,7 @@ import unittest
 
 import functions
 import grade
+import handed
 import make
 import tasks
 from runs import FAILED, PASSED, UNWRITTEN
@@ -118,7 +119,7 @@ class HandsOut(unittest.TestCase):
         answer, file = Answer(task), self.copy / task.file
         for name, body in zip(task.functions, answer.bodies):
             file.write_text(functions.with_body(file.read_text(), name, body))
-        (self.copy / grade.HELPERS).write_text(answer.helpers)
+        (self.copy / handed.HELPERS).write_text(answer.helpers)
 
     def test_a_fresh_copy_is_not_written_yet(self):
         for task in INVENTED:
