@@ -20,6 +20,7 @@ import xml.etree.ElementTree as ElementTree
 from unittest import mock
 
 import check
+import films
 import functions
 import grade
 import handed
@@ -27,6 +28,7 @@ import make
 import results
 import runs
 import tasks
+import workshop
 from runs import FAILED, PASSED, UNWRITTEN
 from tasks import HERE, SOURCE
 
@@ -54,7 +56,7 @@ def reference(task):
 
 
 def changed(task, bodies, helpers=""):
-    return grade.changed_files(task, bodies, helpers, "nobody")
+    return workshop.changed_files(task, bodies, helpers, "nobody")
 
 
 def mistaken(task, change):
@@ -221,8 +223,8 @@ class CopiesHaveNoAnswers(Hands):
 
     def test_the_film_of_a_student_has_the_numbers_of_the_student(self):
         task, copy = EVERY["D1.1"], self.copy("D1.1")
-        with mock.patch.object(grade.Workshop, "run"), mock.patch.object(grade, "write_film"):
-            grade.write_films([task], copy, "ada", self.place / "work", None, self.place / "out")
+        with mock.patch.object(workshop.Workshop, "run"), mock.patch.object(films, "write_film"):
+            films.write_films([task], copy, "ada", self.place / "work", None, self.place / "out")
         numbers = (self.place / "work/films/copy" / task.numbers_file).read_text()
         self.assertIn(f"= {task.numbers('ada')['strain_limit']};", numbers)
 
@@ -311,7 +313,7 @@ class AFilmHasWhatIsWritten(Hands):
         self.write_body(copy, "A3.3", "\n  return T;  // mine\n")
         make.copy(tasks.select(["A3"]), studio, hand_out=False)
         for task in tasks.select(["A3"]):
-            grade.put_bodies(task, copy, studio)
+            films.put_bodies(task, copy, studio)
         self.assertIn("return T;  // mine", (studio / EVERY["A3.3"].file).read_text())
         for id in ("A3.1", "A3.2", "A3.4"):
             self.assertNotIn(f'not_written("{id}"', (studio / EVERY[id].file).read_text())
@@ -322,7 +324,7 @@ class Graded(Hands):
 
     @classmethod
     def setUpClass(cls):
-        cls.lock = grade.Workshop(WORK, TRIED).locked()
+        cls.lock = workshop.Workshop(WORK, TRIED).locked()
         cls.workshop = cls.lock.__enter__()
         cls.addClassCleanup(cls.lock.__exit__, None, None, None)
         cls.workshop.prepare()

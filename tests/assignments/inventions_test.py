@@ -19,6 +19,7 @@ import grade
 import handed
 import make
 import tasks
+import workshop
 from runs import FAILED, PASSED, UNWRITTEN
 from tasks import HERE, SOURCE
 
@@ -61,12 +62,12 @@ def other_number(task, body):
 class Inventions(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.workshop = cls.enterClassContext(grade.Workshop(WORK, INVENTED).locked())
+        cls.workshop = cls.enterClassContext(workshop.Workshop(WORK, INVENTED).locked())
         cls.workshop.prepare()
 
     def ending(self, task, bodies, student="ada"):
         """How the check ends for an answer. The grader would refuse its helpers."""
-        changed = grade.changed_files(task, bodies, Answer(task).helpers, student)
+        changed = workshop.changed_files(task, bodies, Answer(task).helpers, student)
         self.workshop.place(task, changed)
         return self.workshop.check(task, 1)
 

@@ -5,7 +5,6 @@ import pathlib
 import re
 import tomllib
 
-import functions
 from results import KINDS
 
 HERE = pathlib.Path(__file__).resolve().parent
