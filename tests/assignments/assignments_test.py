@@ -544,7 +544,7 @@ class ResultsAreWritten(Hands):
         suites = ElementTree.fromstring(results.junit(self.found()).encode())
         self.assertEqual([s.get("failures") + s.get("skipped") for s in suites], ["00", "10", "01"])
         self.assertEqual(suites[1].find(".//property[@name='points']").get("value"), "5")
-        self.assertIn("expected 1, got 2", suites[1].find(".//failure").get("message"))
+        self.assertEqual(suites[1].find(".//failure").get("message"), "f: expected 1, got 2")
         names = [(c.get("classname"), c.get("name")) for c in suites.iter("testcase")]
         self.assertEqual(len(names), len(set(names)))
 
