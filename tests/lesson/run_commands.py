@@ -19,6 +19,7 @@ README build it. A word such as my_scene.toml stands for something of the reader
 what it is here. The exit code has to be 0, or 1 where ENDS_WITH_1 has a reason.
 """
 import argparse
+import itertools
 import os
 import pathlib
 import platform
@@ -353,12 +354,15 @@ def main():
     with tempfile.TemporaryDirectory(prefix="run_commands_") as room:
         directory = pathlib.Path(room) / "checkout"
         check_out(directory, arguments.build)
-        lines, failed = run(((command, command.text) for command in commands), directory)
-        if arguments.result:
-            built = ", with programs that were built before" if arguments.build else ""
-            write_result(arguments.result, directory, lines, built)
-        print(f"{len(lines)} commands, {failed} failed")
-        return int(failed > 0)
+        built = ", with programs that were built before" if arguments.build else ""
+        failures = 0
+        for _, of_file in itertools.groupby(commands, lambda command: command.file):
+            lines, failed = run(((command, command.text) for command in of_file), directory)
+            failures += failed
+            if arguments.result:  # after every file: what is interrupted keeps the files before
+                write_result(arguments.result, directory, lines, built)
+        print(f"{len(commands)} commands, {failures} failed")
+        return int(failures > 0)
 
 
 if __name__ == "__main__":
