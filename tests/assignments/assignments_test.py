@@ -467,6 +467,16 @@ class BadHandInsCostOnlyTheirTask(Graded):
         self.write_body(copy, "A3.3", reference(EVERY["A3.3"])[0] + " // mine\n")
         self.assertEqual(grade.code_of(EVERY["A3.3"], copy, "nobody").state, PASSED)
 
+    # A1.1 and B1.1 are in one file, and the cloth of A1.2 uses it.
+    def test_a_mistake_costs_one_task(self):
+        copy = self.copy("A1", "B1")
+        chosen = [EVERY[id] for id in ("A1.1", "A1.2", "B1.1")]
+        for task in chosen:
+            self.write_body(copy, task.id, reference(task)[0])
+        self.write_body(copy, "A1.1", mistaken(EVERY["A1.1"], EVERY["A1.1"].mistakes[0])[0])
+        found = grade.grade(chosen, copy, "nobody", 1, self.workshop)
+        self.assertEqual([r.state for r in found], [FAILED, PASSED, PASSED])
+
     def test_a_helper_is_taken(self):
         copy = self.copy("A3")
         helpers = copy / "common/math/helpers.h"
