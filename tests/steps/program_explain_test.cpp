@@ -76,9 +76,13 @@ TEST_P(Explain, IsOneScreenAndWritesNothing) {
       EXPECT_LE(width_of(line), 100u) << line;
       EXPECT_FALSE(line.ends_with(' ')) << line;
     }
-    for (const char* section :
-         {"A step costs", "What sets h", "The error of h", "What could be left out", "Advice"})
-      EXPECT_NE(outcome.out.find("\n" + std::string(section)), std::string::npos) << section;
+    const auto has = [&](const std::string& section) {
+      return outcome.out.find("\n" + section) != std::string::npos;
+    };
+    for (const char* section : {"A step costs", "What sets h"})
+      EXPECT_TRUE(has(section)) << section;
+    for (const char* section : {"The error of h", "What could be left out", "Advice"})
+      EXPECT_TRUE(has(section) || has("Not measured in")) << section;  // on a slow machine
   }
   EXPECT_EQ(files_in(directory), std::vector<std::string>{});
 }
