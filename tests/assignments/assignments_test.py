@@ -221,9 +221,16 @@ class CopiesHaveNoAnswers(Hands):
         words = f"tension.h, line {1 + lines.index('#include <cmath>')}: a line that begins with #"
         self.assertIn(words, grade.code_of(EVERY["A3.3"], copy, "nobody").message)
 
+    # A machine without a package is no mistake of a student.
+    def test_a_project_that_cannot_be_built_is_said(self):
+        with mock.patch.object(workshop.Workshop, "run", return_value="GTest was not found"):
+            with self.assertRaisesRegex(tasks.TaskError, "cannot be built:\nGTest was not found"):
+                workshop.Workshop(self.place / "work", [EVERY["A1.1"]]).prepare()
+
     def test_the_film_of_a_student_has_the_numbers_of_the_student(self):
         task, copy = EVERY["D1.1"], self.copy("D1.1")
-        with mock.patch.object(workshop.Workshop, "run"), mock.patch.object(films, "write_film"):
+        built = mock.patch.object(workshop.Workshop, "run", return_value="")
+        with built, mock.patch.object(films, "write_film"):
             films.write_films([task], copy, "ada", self.place / "work", None, self.place / "out")
         numbers = (self.place / "work/films/copy" / task.numbers_file).read_text()
         self.assertIn(f"= {task.numbers('ada')['strain_limit']};", numbers)

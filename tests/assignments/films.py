@@ -4,20 +4,20 @@ import shutil
 import subprocess
 import tempfile
 
-import functions
 import handed
 import make
 import runs
 from handed import Refused
 from tasks import SOURCE
-from workshop import COMPILE_SECONDS, Workshop, is_given, shown_error
+from workshop import COMPILE_SECONDS, Workshop, is_given, shown_error, with_bodies
 
 FILM_SECONDS = 120
 
 
 def write_films(chosen, hand_in, student, work, programs, out):
-    """out/films/STEP/report.html: the film of the project and that of the student, with all bodies of the student
-    that are taken. Returns a sentence for each step that has no film."""
+    """out/films/STEP/report.html: the film of the project and that of the student, with all bodies
+    of the student that are taken. Returns a sentence for each step that has no film.
+    """
     studio = Workshop(work / "films", chosen)
     with studio.locked():
         studio.prepare(student)
@@ -38,10 +38,8 @@ def put_bodies(task, hand_in, copy):
         return
     if task.kind == "write" and is_given(task, bodies):
         return
-    text = (copy / task.file).read_text()
-    for name, body in zip(task.functions, bodies):
-        text = functions.with_body(text, name, body, task.file)
-    (copy / task.file).write_text(text)
+    file = copy / task.file
+    file.write_text(with_bodies(file.read_text(), task, bodies))
     if helpers:
         (copy / handed.HELPERS).write_text(helpers)
 

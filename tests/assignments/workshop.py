@@ -10,6 +10,7 @@ import handed
 import make
 import runs
 from runs import FAILED, Ending
+from tasks import TaskError
 
 COMPILE_SECONDS = 120
 
@@ -37,12 +38,16 @@ def is_given(task, bodies):
     return [functions.squeezed(b) for b in bodies] == [functions.squeezed(b) for b in given]
 
 
-def changed_files(task, bodies, helpers, student):
-    """The files in which the student's code for this task stands."""
-    text = project_text(task)
+def with_bodies(text, task, bodies):
+    """The text of the task's file, with these bodies."""
     for name, body in zip(task.functions, bodies):
         text = functions.with_body(text, name, body, task.file)
-    changed = {task.file: text}
+    return text
+
+
+def changed_files(task, bodies, helpers, student):
+    """The files in which the student's code for this task stands."""
+    changed = {task.file: with_bodies(project_text(task), task, bodies)}
     if helpers:
         changed[handed.HELPERS] = helpers
     if task.kind == "invent" and task.given:
@@ -67,7 +72,8 @@ class Workshop:
 
     def prepare(self, student="nobody"):
         """Writes the copy, with the numbers of a student, and configures it. Files that have not
-        changed keep their time: nothing is rebuilt.
+        changed keep their time: nothing is rebuilt. Raises TaskError where the project itself cannot
+        be built: no student is to pay for that.
         """
         fresh = self.directory / "fresh"
         shutil.rmtree(fresh, ignore_errors=True)
@@ -78,7 +84,7 @@ class Workshop:
                 old.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy2(path, old)
         shutil.rmtree(fresh)
-        self.run(
+        self.must(
             "cmake",
             "-S",
             self.directory / "copy",
@@ -92,9 +98,13 @@ class Workshop:
         )
         # What no student writes is built now, so that it takes no time from the first hand-in.
         common = {"check_main"}.union(*(task.libraries for task in self.chosen.values()))
-        self.run(
+        self.must(
             "cmake", "--build", self.build, "--target", *sorted(common), seconds=5 * COMPILE_SECONDS
         )
+
+    def must(self, *command, seconds=COMPILE_SECONDS):
+        if output := self.run(*command, seconds=seconds):
+            raise TaskError(f"{self.directory}: the project itself cannot be built:\n{output}")
 
     def run(self, *command, seconds=COMPILE_SECONDS):
         """The output if the command failed, else nothing."""
