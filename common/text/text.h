@@ -11,8 +11,8 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bet
 // the beginning and the end are kept.
 std::string one_line(std::string words);
 
-std::string shell_word(
-    const std::string& word);  // in quotes if a shell would not take it as it stands
+// A word for a shell: in quotes if the shell would not take it as it stands.
+std::string shell_word(const std::string& word);
 
 std::string count(long number, const std::string& thing);  // 1 step, 2 steps
 std::string shortest(double number);  // the fewest digits that give the same number again
