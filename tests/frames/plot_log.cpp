@@ -49,14 +49,23 @@ std::string quoted(const std::string& words) {
   return quoted + "\" noenhanced";
 }
 
+// Panels of the same size, one below the other. The names of the runs stand above the first one.
+std::string layout(size_t runs, size_t rows) {
+  const double names = 20.0 * double(runs) + 20,
+               height = 240.0 * double(rows) + names;  // in pixels
+  std::string layout = text("set terminal pngcairo size 900,%g font \"sans,12\"\n", height);
+  layout += text("set key at screen .53,%g center top\n", 1 - 5 / height);
+  return layout + text("set multiplot layout %zu,1 margins .11,.97,%g,%g spacing %g\n", rows,
+                       60 / height, 1 - names / height, 70 / height);
+}
+
 std::string script(const std::vector<RecordedRun>& runs, const std::string& picture) {
   std::string script = gnuplot_style;
+  script += "unset format\nset output \"" + picture + "\"\n";
+  for (size_t i = 0; i < runs.size(); ++i) script += data_block(runs[i], i);
   size_t rows = 0;
   for (const Panel& panel : panels) rows += is_shown(panel, runs);
-  script += text("unset format\nset terminal pngcairo size 900,%zu font \"sans,12\"\n", 240 * rows);
-  script += "set output \"" + picture + "\"\n";
-  for (size_t i = 0; i < runs.size(); ++i) script += data_block(runs[i], i);
-  script += text("set key outside top center\nset lmargin 12\nset multiplot layout %zu,1\n", rows);
+  script += layout(runs.size(), rows);
   for (size_t p = 0; p < std::size(panels); ++p) {
     if (!is_shown(panels[p], runs)) continue;
     script += text("set ylabel \"%s\"\nset xlabel \"time, s\"\nplot ", panels[p].axis);

@@ -68,7 +68,6 @@ STAND_INS = {  # a word of the reader, and what it is here
     "my_scene.toml": "step04_cg/scene.toml",
     "a.png": "step04_cg/frame.png",
     "b.png": "step05_bend/frame.png",
-    "out/second": "out/strain",
     "HALF_OF_KD": "0.05",
     "KD": "0.1",
 }
@@ -261,14 +260,14 @@ def cheap_jobs(commands):
             yield command, with_cheap_pictures(command.text)
 
 
-def git(*arguments):
-    return subprocess.run(["git", "-C", str(SOURCE), *arguments], text=True, check=True,
+def git(directory, *arguments):
+    return subprocess.run(["git", "-C", str(directory), *arguments], text=True, check=True,
                           stdout=subprocess.PIPE).stdout.strip()
 
 
 def check_out(directory, build):
     """A fresh checkout of the last commit; with the programs of a build, if one is given."""
-    git("clone", "--quiet", "--no-hardlinks", str(SOURCE), str(directory))
+    git(SOURCE, "clone", "--quiet", "--no-hardlinks", str(SOURCE), str(directory))
     if build:
         (directory / "build").mkdir()
         (directory / "build/release").symlink_to(pathlib.Path(build).resolve())
@@ -301,7 +300,7 @@ def section(file, lines, origin):
 def write_result(path, directory, lines, built):
     """Renews the parts of the files whose commands ran, and keeps the others."""
     origin = [f"date     {time.strftime('%Y-%m-%d')}", f"machine  {machine(directory)}",
-              f"commit   {git('rev-parse', 'HEAD')}{built}"]
+              f"commit   {git(directory, 'rev-parse', 'HEAD')}{built}"]
     parts = {**sections(path), **{file: section(file, lines, origin) for file, _ in lines}}
     text = "\n\n".join(["The commands of the Markdown files, as --fully ran them.",
                          *(parts[file] for file in sorted(parts))]) + "\n"

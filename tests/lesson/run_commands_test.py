@@ -96,7 +96,8 @@ class Result(unittest.TestCase):
     def test_a_run_renews_the_part_of_its_files(self):
         with tempfile.TemporaryDirectory() as directory:
             path = pathlib.Path(directory) / "result.txt"
-            with mock.patch.object(run_commands, "machine", lambda _: "a machine"):
+            with mock.patch.multiple(run_commands, machine=lambda _: "a machine",
+                                     git=lambda *_: "a commit"):
                 for lines in ([("a.md", "OK      1 s  a.md:1  x"), ("b.md", "FAILED  2 s  b.md:1  y")],
                               [("b.md", "OK      3 s  b.md:1  y")]):
                     run_commands.write_result(path, directory, lines, "")
