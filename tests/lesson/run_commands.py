@@ -232,16 +232,24 @@ def failure(command, script, directory):
     return ""
 
 
-def run(jobs, directory):
-    """Runs (command, script) pairs. Returns (file, line) for each, and how many failed."""
+def run(jobs, directory, ran):
+    """Runs (command, script) pairs. Returns (file, line) for each, and how many failed.
+
+    What ran before is in ran, script → (place, what was wrong), and does not run again.
+    """
     lines = []
     failed = 0
     for command, script in jobs:
-        begin = time.monotonic()
-        wrong = failure(command, script, directory)
-        seconds = time.monotonic() - begin
+        if script in ran:
+            place, wrong = ran[script]
+            took = f"as {place}"
+        else:
+            begin = time.monotonic()
+            wrong = failure(command, script, directory)
+            took = f"{time.monotonic() - begin:7.1f} s"
+            ran[script] = command.place, wrong
         failed += bool(wrong)
-        line = (f"{'FAILED' if wrong else 'OK':6} {seconds:7.1f} s  {command.place}  "
+        line = (f"{'FAILED' if wrong else 'OK':6} {took}  {command.place}  "
                 + " ".join(command.text.split()))
         lines.append((str(command.file), line))
         print(line, flush=True)
@@ -346,7 +354,7 @@ def main():
         return 0
     if not arguments.fully:
         runner = Runner(arguments.build or SOURCE / "build/release")
-        lines, failed = run(cheap_jobs(commands), runner.directory)
+        lines, failed = run(cheap_jobs(commands), runner.directory, {})
         print(f"{len(lines)} commands, {failed} failed")
         return int(failed > 0)
     commands = [command for command in commands if THIS_TARGET not in command.text]
@@ -355,8 +363,9 @@ def main():
         check_out(directory, arguments.build)
         built = ", with programs that were built before" if arguments.build else ""
         failures = 0
+        ran = {}
         for _, of_file in itertools.groupby(commands, lambda command: command.file):
-            lines, failed = run(((command, command.text) for command in of_file), directory)
+            lines, failed = run(((command, command.text) for command in of_file), directory, ran)
             failures += failed
             if arguments.result:  # after every file: what is interrupted keeps the files before
                 write_result(arguments.result, directory, lines, built)

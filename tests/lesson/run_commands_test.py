@@ -91,6 +91,14 @@ class Running(unittest.TestCase):
     def test_tests_that_do_not_exist_are_a_failure(self):
         self.assertEqual(self.failure("echo; echo 'Total Tests: 0'"), "it selects no test")
 
+    def test_the_same_text_runs_once(self):
+        text = "echo >> a; [ $(wc -l < a) = 1 ]"  # fails the second time
+        with tempfile.TemporaryDirectory() as directory, mock.patch("builtins.print"):
+            lines, failed = run_commands.run(
+                [(Command("a.md", line, text), text) for line in (1, 2)], directory, {})
+        self.assertEqual(failed, 0)
+        self.assertEqual(lines[1], ("a.md", f"OK     as a.md:1  a.md:2  {text}"))
+
 
 class Result(unittest.TestCase):
     def test_a_run_renews_the_part_of_its_files(self):
