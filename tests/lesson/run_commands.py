@@ -36,6 +36,7 @@ from update_lessons import SOURCE, LessonError, Recipe, Runner
 # Classes ------------------------------------------------------------------------------------------
 
 THIS_TARGET = "--target check_lessons_fully"  # would start itself again
+BUILDS_THE_CHECKOUT = "install_packages"
 
 EXPENSIVE = (
     (r"install_packages|cmake --(workflow|preset)|cmake -S", "it configures and builds"),
@@ -317,6 +318,25 @@ def write_result(path, directory, lines, built):
     whole.replace(path)
 
 
+def run_fully(commands, build, result):
+    """Runs all commands, those first that build the checkout. Returns how many failed."""
+    commands = [command for command in commands if THIS_TARGET not in command.text]
+    commands.sort(key=lambda command: BUILDS_THE_CHECKOUT not in command.text)
+    built = ", with programs that were built before" if build else ""
+    failures = 0
+    ran = {}
+    with tempfile.TemporaryDirectory(prefix="run_commands_") as room:
+        directory = pathlib.Path(room) / "checkout"
+        check_out(directory, build)
+        for _, of_file in itertools.groupby(commands, lambda command: command.file):
+            lines, failed = run(((command, command.text) for command in of_file), directory, ran)
+            failures += failed
+            if result:  # after every file: what is interrupted keeps the files before
+                write_result(result, directory, lines, built)
+    print(f"{len(commands)} commands, {failures} failed")
+    return failures
+
+
 # Command line -------------------------------------------------------------------------------------
 
 def list_of(commands):
@@ -357,20 +377,7 @@ def main():
         lines, failed = run(cheap_jobs(commands), runner.directory, {})
         print(f"{len(lines)} commands, {failed} failed")
         return int(failed > 0)
-    commands = [command for command in commands if THIS_TARGET not in command.text]
-    with tempfile.TemporaryDirectory(prefix="run_commands_") as room:
-        directory = pathlib.Path(room) / "checkout"
-        check_out(directory, arguments.build)
-        built = ", with programs that were built before" if arguments.build else ""
-        failures = 0
-        ran = {}
-        for _, of_file in itertools.groupby(commands, lambda command: command.file):
-            lines, failed = run(((command, command.text) for command in of_file), directory, ran)
-            failures += failed
-            if arguments.result:  # after every file: what is interrupted keeps the files before
-                write_result(arguments.result, directory, lines, built)
-        print(f"{len(commands)} commands, {failures} failed")
-        return int(failures > 0)
+    return int(run_fully(commands, arguments.build, arguments.result) > 0)
 
 
 if __name__ == "__main__":
