@@ -62,9 +62,8 @@ int main() {
       way.matrix_ns.push_back(ns_per_triangle(way.matrices, triangles));
     }
   std::printf(
-      "| %d × %d cells, ns per triangle | time of the forces | ratio of times | time with K and D "
-      "| "
-      "ratio of times |\n|---|---|---|---|---|\n",
+      "| %d × %d cells, ns per triangle | time of the forces | ratio of times "
+      "| with their derivatives (step 3) | ratio of times |\n|---|---|---|---|---|\n",
       cells, cells);
   for (const Way& way : ways)
     std::printf("| %s | %.0f | %.2f | %.0f | %.2f |\n", way.name.c_str(), median(way.force_ns),

@@ -152,7 +152,7 @@ def price_of_h():
         rows.append((h, run.find(r"(\d+) steps"), again, f"{run.seconds():.2g}",
                      minus(f"{last['total']:.2g}"), minus(f"{last['lowest']:.2f}"), gained))
     print_table(("h (s)", "steps", "taken again", "seconds", "energy at the end (J)",
-                 "lowest point at the end (m)", "highest energy with `--guard off` (J)"), rows)
+                 "lowest point at the end (m)", "most energy gained with `--guard off` (J)"), rows)
 
 
 def cost_of_stiffness():

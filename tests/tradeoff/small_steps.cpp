@@ -79,17 +79,26 @@ std::string data_block(const std::vector<SmallSteps>& rows, size_t method) {
   return block + "EOD\n";
 }
 
+// The power of ten below all errors: every panel has the same range.
+double decade_below(const std::vector<SmallSteps>& rows) {
+  double least = 1;
+  for (const SmallSteps& row : rows)
+    for (const auto& errors : row.errors)
+      for (const double error : errors) least = error > 0 && error < least ? error : least;
+  return std::pow(10, std::floor(std::log10(least)));
+}
+
 // One panel per method, one line per number of iterations in a step.
 std::string script(const std::vector<SmallSteps>& rows) {
   const auto& methods = iterated_methods();
   std::string text = gnuplot_style + R"gp(set terminal pngcairo size 1100,440 font "sans,13"
 set output "small_steps.png"
 set logscale xy
-set yrange [*:1]
 set xlabel "iterations in the whole run"
 set ylabel "error at the end: RMS distance / size"
 )gp";
-  text += format("set multiplot layout 1,%d\n", int(methods.size()));
+  text += format("set yrange [%g:1]\nset multiplot layout 1,%d\n", decade_below(rows),
+                 int(methods.size()));
   for (size_t m = 0; m < methods.size(); ++m) {
     text += data_block(rows, m) + format("set title \"%s\"\nplot ", methods[m].name);
     for (size_t i = 0; i < iterations_per_step.size(); ++i)
