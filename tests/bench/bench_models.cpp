@@ -63,7 +63,7 @@ int main() {
     }
   std::printf(
       "| %d × %d cells, ns per triangle | time of the forces | ratio of times "
-      "| with their derivatives (step 3) | ratio of times |\n|---|---|---|---|---|\n",
+      "| time with their derivatives (step 3) | ratio of times |\n|---|---|---|---|---|\n",
       cells, cells);
   for (const Way& way : ways)
     std::printf("| %s | %.0f | %.2f | %.0f | %.2f |\n", way.name.c_str(), median(way.force_ns),
