@@ -112,7 +112,7 @@ Svg vibration() {
     draw(E, zeta, energy, {colour, 2});
   }
   svg.label(x(0, 1.1) + Point{-20, 0}, "x");
-  svg.label(E(0, 0.62) + Point{0, -8}, "energy");
+  svg.label(E(0, 0.62) + Point{8, 6}, "energy", grey, "start", 15);
   svg.label(x(32.4, 0) + Point{4, 5}, "t");
   svg.label(E(32.4, 0) + Point{4, 5}, "t");
   svg.label(E(16, 0.5) + Point{0, -8}, "without damping: the energy stays", grey, "middle", 15);
