@@ -42,7 +42,7 @@ EXPENSIVE = (
     (r"install_packages|cmake --(workflow|preset)|cmake -S", "it configures and builds"),
     (r"update_lessons\.py", "it changes the lessons"),
     (r"run_commands\.py --fully", "it runs the commands of a lesson"),
-    (r"tradeoff/tradeoff|stability_map|definite_study|measure_tolerance|threshold_study",
+    (r"tradeoff/tradeoff(?! --help)|stability_map|definite_study|measure_tolerance|threshold_study",
      "it measures for minutes"),
     (r"compare_models|cantilever_points|draw_energy", "it draws pictures of a lesson"),
     (r"bench/", "it measures times"),
