@@ -250,7 +250,7 @@ set label 10 "Which step survives which cloth?" at 0.02,0.94 font "sans:Bold,12"
        << entries[i].text << "\" at 0.11," << y << "\n";
   }
   gp << R"(set arrow 1 from 0.02,0.285 to 0.08,0.285 nohead lw 4 lc rgb "#000000"
-set label 11 "h ω_{max} = 2, the longest explicit step" at 0.11,0.285
+set label 11 "h_{crit}, the longest explicit step" at 0.11,0.285
 set label 12 "A square metre of cloth, )"
      << study.watch().cells << " × " << study.watch().cells
      << R"( cells, falls," at 0.02,0.175 tc rgb "#555555"
