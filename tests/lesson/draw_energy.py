@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Draws step03_implicit/figures/energy.png: energy against time, for several lengths of the step.
 
-    python3 tests/lesson/draw_energy.py
+    python3 tests/lesson/draw_energy.py [FILE]
 
-from the root of the repository. The runs are those of the table `run_table.py price_of_h`, seven
-seconds of computing. The picture is drawn by gnuplot.
+from the root of the repository, into that file or another one. The runs are those of the table
+`run_table.py price_of_h`, seven seconds of computing. The picture is drawn by gnuplot.
 """
+import pathlib
 import subprocess
+import sys
 
 from run_table import Run
 
@@ -27,13 +29,14 @@ set ylabel "energy (J)" textcolor rgb "#333333"
 """
 
 
-def main():
+def main(picture=PICTURE):
+    pathlib.Path(picture).parent.mkdir(parents=True, exist_ok=True)
     curves = [("step 2", "#333333", False, Run("step02_damping", "--frames", "100").log)]
     for h, steps, colour in LENGTHS:
         log = Run("step03_implicit", "--h", h, "--frames", steps).log
         curves.append((f"h = {float(h):.3g} s", colour, int(steps) <= 60, log))
 
-    script = f'{STYLE}set output "{PICTURE}"\n'
+    script = f'{STYLE}set output "{picture}"\n'
     plots, data = [], ""
     for name, colour, dots, log in curves:
         end = log[-1]["total"]
@@ -47,4 +50,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:])

@@ -41,6 +41,7 @@ BUILDS_THE_CHECKOUT = "install_packages"
 EXPENSIVE = (
     (r"install_packages|cmake --(workflow|preset)|cmake -S", "it configures and builds"),
     (r"update_lessons\.py", "it changes the lessons"),
+    (r"pictures\.py(?! --list)", "it draws pictures of the lessons"),
     (r"run_commands\.py --fully", "it runs the commands of a lesson"),
     (r"tradeoff/tradeoff(?! --help)|stability_map|definite_study|measure_tolerance|threshold_study",
      "it measures for minutes"),
