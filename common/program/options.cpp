@@ -285,9 +285,11 @@ Options read_options(const Program& program, const std::string& command,
 }  // namespace
 
 std::string run_toml(const Options& options, const std::string& effective_scene) {
+  std::vector<std::string> words = words_of(options);
+  for (std::string& word : words) word = "'" + word + "'";
   return "# " + options.program + " run.toml makes this run again.\n[run]\nprogram = '" +
-         options.program + "'\nversion = '" LARGE_STEPS_VERSION "'\noptions = ['" +
-         joined(words_of(options), "', '") + "']\n" + effective_scene;
+         options.program + "'\nversion = '" LARGE_STEPS_VERSION "'\noptions = [" +
+         joined(words, ", ") + "]\n" + effective_scene;
 }
 
 int run_program(int argc, char** argv, const Program& program,

@@ -61,4 +61,10 @@ TEST_F(RunTest, ExplainTakesNoClothForOneAtRestBecauseItsSystemsFailed) {
   }
 }
 
+// A list with one empty word would be an argument that no program knows.
+TEST(RunToml, OfARunWithoutOptionsHasAnEmptyList) {
+  const std::string text = run_toml({.program = "step01_explicit"}, "");
+  EXPECT_NE(text.find("\noptions = []\n"), std::string::npos) << text;
+}
+
 }  // namespace run_test
