@@ -188,7 +188,7 @@ def tolerances():
                      power(row["error_median"]), power(row["error_worst"]),
                      f"{row['iterations_median']:.0f}", f"{row['milliseconds']:.1f}",
                      power(row["position_end"]), power(row["position_worst"])))
-    print_table(("tolerance", "error of Δv, median", "worst", "iterations a step", "ms a step",
+    print_table(("tolerance", "error of Δv, median", "worst", "iterations, median", "ms, median",
                  "error of position at 1 s", "worst of the run"), rows)
 
 
