@@ -240,7 +240,7 @@ plot ")" +
          R"(.csv" using 1:4:5 skip 1 with filledcurves lc rgb "#D55E00" notitle, \
      "" using 1:5 skip 1 with linespoints lt 2 title "error in Δv, worst step", \
      "" using 1:4 skip 1 with linespoints lt 6 title "error in Δv, median step", \
-     "" using 1:10 skip 1 with linespoints lt 1 title "error in position, of the cloth's size", \
+     "" using 1:10 skip 1 with linespoints lt 1 title "error in position / size of the cloth", \
      x with lines lt 5 dt 2 title "error = tolerance", \
      )" + CLI::detail::to_string(moved) +
          R"( with lines lt 7 dt 4 title "error in position after moving the start by 1 nm"
