@@ -103,9 +103,39 @@ void draw_error(const std::vector<double>& e, Point left, double width, const st
   for (size_t i = 0; i < e.size(); ++i) svg.dot(at(i), 2.5, colour);
 }
 
+// A grid of a string: its vertices on a line.
+void draw_grid(Point left, int cells, Svg& svg) {
+  const double width = 150;
+  svg.line(left, left + Point{width, 0}, {pale, 1});
+  for (int i = 0; i <= cells; ++i)
+    svg.dot(left + Point{width * i / cells, 0}, cells > 16 ? 1.8 : 2.5, ink);
+}
+
+// The grids of a V-cycle: down to the coarsest on the left, up again on the right.
+void draw_cycle(double top, Svg& svg) {
+  const int levels = 4;
+  const double across = 92, down = 36, middle = 380;
+  const auto centre = [&](int level, int side) {
+    return Point{middle + side * across * (levels - 1 - level), top + down * level};
+  };
+  const Point half{75, 0}, gap{0, 7};
+  for (int level = 0; level + 1 < levels; ++level)
+    for (const int side : {-1, 1}) {
+      const Point fine = centre(level, side), coarse = centre(level + 1, side);
+      draw_grid(fine - half, 32 >> level, svg);
+      const Point upper = fine + gap, lower = coarse - gap;
+      svg.arrow(side < 0 ? upper : lower, side < 0 ? lower : upper, {blue, 2});
+    }
+  const Point coarsest = centre(levels - 1, 0);
+  draw_grid(coarsest - half, 32 >> (levels - 1), svg);
+  svg.label(coarsest + Point{0, 24}, "solved exactly", ink, "middle", 14);
+  svg.label(centre(2, -1) + Point{-90, 24}, "the residual goes down", blue, "end", 14);
+  svg.label(centre(2, 1) + Point{90, 24}, "the correction comes up", blue, "start", 14);
+}
+
 // The error of a string, after one sweep and after three; and the grids of a V-cycle.
 Svg sweeps_and_grids() {
-  Svg svg(760, 360);
+  Svg svg(760, 370);
   const std::vector<double> e = rough_and_smooth(32);
   const std::string titles[] = {"an error", "after one sweep", "after three sweeps"};
   for (int i = 0; i < 3; ++i) {
@@ -114,20 +144,7 @@ Svg sweeps_and_grids() {
                svg);
     svg.label({left + 105, 180}, titles[i], ink, "middle", 15);
   }
-  for (int level = 0; level < 4; ++level) {
-    const double y = 225 + 36 * level;
-    const int cells = 32 >> level;
-    for (const double left : {70.0 + 40 * level, 690.0 - 40 * level - 150}) {
-      svg.line({left, y}, {left + 150, y}, {pale, 1});
-      for (int i = 0; i <= cells; ++i)
-        svg.dot({left + 150.0 * i / cells, y}, level == 0 ? 1.8 : 2.5, ink);
-    }
-    if (level == 3) continue;
-    svg.arrow({145.0 + 40 * level, y + 6}, {185.0 + 40 * level - 4, y + 30}, {blue, 2});
-    svg.arrow({615.0 - 40 * (level + 1), y + 30}, {615.0 - 40 * level - 4, y + 6}, {blue, 2});
-  }
-  svg.label({235, 240}, "the residual goes down", blue, "start", 14);
-  svg.label({582, 338}, "the correction comes up", blue, "start", 14);
+  draw_cycle(225, svg);
   return svg;
 }
 
