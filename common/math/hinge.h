@@ -16,7 +16,7 @@
 struct Hinge : VertexElement<4> {
   static constexpr std::string_view plural = "hinges";
   double rest_angle = 0;  // θ0
-  double shape = 1;       // Bridson's c = |e|²/(|N0| + |N1|), from the rest shape
+  double shape = 1;       // Bridson's σ = l²/(2 A0 + 2 A1), from the rest shape
   double theta = 0;       // θ where the time step starts; may lie beyond ±π
   double lowest = 1e-6;   // m, a flap that is lower is a line: 1e-4 of the lowest one at rest
 };
@@ -74,13 +74,13 @@ struct Dihedral : Condition<4> {
   Angle theta;
 };
 
-// Bend (Bridson et al.), with φ = (θ − θ0)/4 and s = √(8c):
+// Bend (Bridson et al.), with φ = (θ − θ0)/4 and s = √(8σ):
 //
-//   C = s sin φ,   ∂C/∂x = s/4 cos φ ∂θ/∂x,   f = −k c sin((θ − θ0)/2) ∂θ/∂x
+//   C = s sin φ,   ∂C/∂x = s/4 cos φ ∂θ/∂x,   f = −k σ sin((θ − θ0)/2) ∂θ/∂x
 //
-// For θ0 = 0 that is their force k c sin(θ/2) u_i, u_i = −∂θ/∂x_i. For other θ0 they take
-// sin(θ/2) − sin(θ0/2), which is zero at θ0 as well but there cos(θ0/2) times as stiff. c is that of
-// the rest shape: with the current c the force would follow from no energy, and K would not be
+// Their force is k σ sin(θ/2) u_i for θ0 = 0, u_i = −∂θ/∂x_i; they write c for σ. For other θ0 they
+// take sin(θ/2) − sin(θ0/2), which is zero at θ0 as well but there cos(θ0/2) times as stiff. σ is that
+// of the rest shape: with the current σ the force would follow from no energy, and K would not be
 // symmetric.
 struct Bridson : Condition<4> {
   Bridson(const Hinge& hinge, const Vecs<4>& p)

@@ -45,7 +45,7 @@ bool IncompleteCholesky::factorise() {
   return true;
 }
 
-// (Δ + U)ᵀ t = r forwards, (Δ + U) s = Δ t backwards; t is kept in s.
+// (Λ + U)ᵀ t = r forwards, (Λ + U) s = Λ t backwards; t is kept in s.
 void IncompleteCholesky::apply(const VecX& r, VecX& s) {
   s = r;
   for (int k = 0; k < U.rows(); ++k) {

@@ -131,7 +131,7 @@ void Multigrid::set(const BlockMatrix& A) {
     for (int s = last.row_start[i]; s < last.row_start[i + 1]; ++s)
       dense.block<3, 3>(3 * last.column[s], 3 * i) = last.upper[s].transpose();
   }
-  // P can map a coarse zigzag onto pinned vertices only; its pivot would be zero. This small number
+  // Q can map a coarse zigzag onto pinned vertices only; its pivot would be zero. This small number
   // prevents that.
   dense.diagonal().array() += 1e-12 * dense.lpNorm<Eigen::Infinity>();
   coarsest.compute(dense);
@@ -191,7 +191,7 @@ void Multigrid::interpolate(const Level& coarse, Level& fine) {
       fine.s.segment<3>(3 * i) += weight * coarse.s.segment<3>(3 * parent);
 }
 
-// s ← s + (Δ + Lᵀ)⁻¹ (r − A s), that is (Δ + Lᵀ) s_new = r − L s.
+// s ← s + (Λ + Lᵀ)⁻¹ (r − A s), that is (Λ + Lᵀ) s_new = r − L s.
 void Multigrid::smooth_backwards(Level& level) {
   const BlockMatrix& A = level.A;
   VecX &s = level.s, &t = level.t;

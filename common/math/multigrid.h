@@ -1,11 +1,11 @@
-// Multigrid for any mesh, as a preconditioner: one V-cycle with A = L + Δ + Lᵀ.
+// Multigrid for any mesh, as a preconditioner: one V-cycle with A = L + Λ + Lᵀ.
 //
-//   s  = (Δ + L)⁻¹ r                   smooth: block Gauss–Seidel, forwards from zero
-//   s += P A_c⁻¹ Pᵀ (r − A s)          correct on a coarser level
-//   s += (Δ + Lᵀ)⁻¹ (r − A s)          smooth, backwards: that makes the cycle symmetric
+//   s  = (Λ + L)⁻¹ r                   smooth: block Gauss–Seidel, forwards from zero
+//   s += Q A_c⁻¹ Qᵀ (r − A s)          correct on a coarser level
+//   s += (Λ + Lᵀ)⁻¹ (r − A s)          smooth, backwards: that makes the cycle symmetric
 //
-// P interpolates from the vertices of the coarse level (math/parents.h): from the grid of half as many cells
-// while a grid can be halved, else from aggregates. Its weights are numbers that do not change. A_c = Pᵀ A P
+// Q interpolates from the vertices of the coarse level (math/parents.h): from the grid of half as many cells
+// while a grid can be halved, else from aggregates. Its weights are numbers that do not change. A_c = Qᵀ A Q
 // (Galerkin), and A_c⁻¹ is the same cycle again, down to a level whose system is solved densely. Smoothing
 // removes errors that change from vertex to vertex. The smooth error that remains changes from vertex to
 // vertex on a coarse level, and is removed there. If pins hold all fine vertices around a coarse vertex, its
@@ -51,10 +51,10 @@ class Multigrid : public Preconditioner {
 
   void cycle(size_t level);
   void solve_densely(Level&) const;
-  static void smooth_forwards(Level&);                              // s = (Δ + L)⁻¹ r
-  static void restrict_residual(const Level& fine, Level& coarse);  // r_c = Pᵀ (r − A s)
-  static void interpolate(const Level& coarse, Level& fine);        // s += P s_c
-  static void smooth_backwards(Level&);  // s += (Δ + Lᵀ)⁻¹ (r − A s)
+  static void smooth_forwards(Level&);                              // s = (Λ + L)⁻¹ r
+  static void restrict_residual(const Level& fine, Level& coarse);  // r_c = Qᵀ (r − A s)
+  static void interpolate(const Level& coarse, Level& fine);        // s += Q s_c
+  static void smooth_backwards(Level&);  // s += (Λ + Lᵀ)⁻¹ (r − A s)
 
   std::vector<Level> levels;  // the finest first
   Eigen::MatrixXd dense;

@@ -16,10 +16,10 @@ Parents coarse_parents(const Grid& fine);
 
 // On any mesh: smoothed aggregation (Tamstorf, Jones & McCormick 2015), from the pattern alone. Aggregates of
 // neighbours are the coarse vertices. T, 1 where a vertex belongs to an aggregate, moves aggregates as
-// stiff pieces; P is smooth. A vertex i with d neighbours gives an aggregate the weight of its share of
+// stiff pieces; Q is smooth. A vertex i with d neighbours gives an aggregate the weight of its share of
 // i and its neighbours:
 //
-//   P = (I − ω D⁻¹ L) T,   L = D − N,   ω = d / (d + 1)   N_ij = 1 for neighbours, D = the numbers d
+//   Q = (I − ω D⁻¹ L) T,   L = D − N,   ω = d / (d + 1)   N_ij = 1 for neighbours, D = the numbers d
 //
 // A vertex without neighbours has no parents: block Gauss–Seidel solves its equations exactly.
 Parents aggregate_parents(const BlockMatrix& pattern);

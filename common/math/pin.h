@@ -14,7 +14,7 @@ struct Pin {
   Vec3 held(const Vec3& v) const { return velocity + S * (v - velocity); }
 
   int vertex;
-  Mat3 S;         // I − Σ p pᵀ over the directions p that it holds: what it leaves free
+  Mat3 S;         // I − Σ d dᵀ over the directions d that it holds: what it leaves free
   Vec3 velocity;  // m/s, in the directions that it holds
 };
 

@@ -22,7 +22,7 @@ double squared_edge(const FlatFlap& flap0, const FlatFlap& flap1) {
   return 0.5 * ((flap0[1] - flap0[2]).squaredNorm() + (flap1[1] - flap1[2]).squaredNorm());
 }
 
-// Bridson's |e|²/(|N0| + |N1|), where |N| is twice an area.
+// Bridson's σ = l²/(2 A0 + 2 A1).
 double shape(const FlatFlap& flap0, const FlatFlap& flap1) {
   return squared_edge(flap0, flap1) / (2 * (area(flap0) + area(flap1)));
 }

@@ -7,7 +7,7 @@ const std::string fix_words =
     "letters of x, y and z, each at most once, like \"y\" or \"xz\", or the three numbers of one "
     "direction that is not zero, like [0, 1, 1]";
 
-// I − Σ p pᵀ over the axes p that the letters name.
+// I − Σ d dᵀ over the axes d that the letters name.
 Mat3 without_axes(const TomlTable& pin, const std::string& letters) {
   Mat3 S = Mat3::Identity();
   for (const char letter : letters) {

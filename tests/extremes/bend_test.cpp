@@ -110,7 +110,7 @@ class CarriedFold {
     return joule;
   }
 
-  // The energy of a sharp fold: three edges bend by the angle phi. Bridson's c is 1/2 if
+  // The energy of a sharp fold: three edges bend by the angle phi. Bridson's σ is 1/2 if
   // the flaps are half squares.
   double sharp_energy(double phi) const {
     if (scene.cloth.term<DihedralBend>()) return 3 * k / 2 * phi * phi;

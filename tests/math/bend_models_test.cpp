@@ -247,7 +247,7 @@ TEST(Bridson, PrintedDirectionsAreTheGradientOfTheAngle) {
   }
 }
 
-// k c (sin(θ/2) − sin(θ0/2)) u: exactly our force for θ0 = 0, and for other θ0 our force times
+// k σ (sin(θ/2) − sin(θ0/2)) u: exactly our force for θ0 = 0, and for other θ0 our force times
 // cos((θ + θ0)/4)/cos((θ − θ0)/4). Both are zero at the same fold, and have the same sign up to a full fold.
 TEST(Bridson, PrintedForceIsOursUpToAKnownFactor) {
   for (const FoldCase& fold : all_folds(51))
@@ -265,7 +265,7 @@ TEST(Bridson, PrintedForceIsOursUpToAKnownFactor) {
     }
 }
 
-// E = 2 k c (1 − cos((θ − θ0)/2)): for small folds a hinge of stiffness k c/2.
+// E = 2 k σ (1 − cos((θ − θ0)/2)): for small folds a hinge of stiffness k σ/2.
 TEST(Bridson, EnergyIsThatOfItsForce) {
   for (const double theta : {-3.0, -0.5, 0.01, 1.0, 3.0}) {
     const Hinges hinges = one_hinge(hinge_near(theta, 0.2, 0.7), k, BendModel::bridson);

@@ -114,7 +114,7 @@ TEST(HingeTopology, NoFacesHaveNoEdges) {
   EXPECT_EQ(find_edges({}).boundary.size(), 0u);
 }
 
-// Bridson's c of the two kinds of hinges of a square cell of side s: the diagonal √2 s, an axis edge s,
+// Bridson's σ of the two kinds of hinges of a square cell of side s: the diagonal √2 s, an axis edge s,
 // each with two triangles of s²/2.
 TEST(HingeTopology, ShapeFactorsOfSquareCells) {
   for (const Hinge& hinge : make_hinges(make_grid({3, 3}, {6, 6}, Diagonals::same))) {

@@ -52,7 +52,7 @@ std::vector<MatX> interpolations(const Cloth& cloth) {
   return all;
 }
 
-// Block Gauss-Seidel's Δ + L of a full matrix.
+// Block Gauss-Seidel's Λ + L of a full matrix.
 MatX lower(const MatX& A) {
   MatX L = A;
   for (int i = 0; i < A.rows(); i += 3) L.block(i, i + 3, 3, A.cols() - i - 3).setZero();

@@ -162,7 +162,7 @@ TEST_F(IC, IsExactWhereNothingIsDropped) {
   }
 }
 
-// (Δ + U)ᵀ Δ⁻¹ (Δ + U) is A wherever A has a block, and wrong only where the fill was dropped.
+// (Λ + U)ᵀ Λ⁻¹ (Λ + U) is A wherever A has a block, and wrong only where the fill was dropped.
 TEST_F(IC, IsExactOnThePattern) {
   const std::vector<Pin> pins = {0, Pin(12, all_but(Vec3(1, 2, 2) / 3)),
                                  Pin(20, only(Vec3::UnitZ()))};
