@@ -4,6 +4,12 @@
 
 #include "text/text.h"
 
+std::string progress_text(long step, long steps, double seconds) {
+  const std::string done = text("%.0f %% done", 100 * double(step) / double(steps));
+  if (step == 0) return done;
+  return done + text(", %.0f s left", seconds * double(steps - step) / double(step));
+}
+
 Progress::Progress(long steps_, const std::string& what_, std::FILE* stream_)
     : steps(steps_), what(what_), stream(stream_), terminal(isatty(fileno(stream))),
       start(Clock::now()), shown(start) {}
@@ -12,23 +18,18 @@ double Progress::seconds_since(Clock::time_point moment) const {
   return std::chrono::duration<double>(Clock::now() - moment).count();
 }
 
-double Progress::seconds_left(long step) const {
-  return step > 0 ? seconds_since(start) * double(steps - step) / double(step) : 0;
-}
-
 void Progress::show(long step) {
   const double interval = terminal ? 0.1 : 10;  // s
   if (seconds_since(shown) < interval) return;
   shown = Clock::now();
-  const double done = double(step) / double(steps);
+  const std::string said = progress_text(step, steps, seconds_since(start));
   if (terminal) {
-    const int width = 40, full = int(done * width);
-    std::fprintf(stream, "\r%s[%s%s] %3.0f %%  %.0f s left \033[K", what.c_str(),
+    const long width = 40, full = width * step / steps;
+    std::fprintf(stream, "\r%s[%s%s] %s \033[K", what.c_str(),
                  std::string(size_t(full), '#').c_str(),
-                 std::string(size_t(width - full), ' ').c_str(), 100 * done, seconds_left(step));
+                 std::string(size_t(width - full), ' ').c_str(), said.c_str());
   } else {
-    std::fprintf(stream, "  %s%.0f %% done, %.0f s left\n", what.c_str(), 100 * done,
-                 seconds_left(step));
+    std::fprintf(stream, "  %s%s\n", what.c_str(), said.c_str());
   }
   std::fflush(stream);
 }

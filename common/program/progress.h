@@ -4,6 +4,10 @@
 #include <cstdio>
 #include <string>
 
+// "25 % done, 9 s left", if the steps to come take as long as those so far, which took `seconds`. Before the
+// first step the time left is not known: "0 % done".
+std::string progress_text(long step, long steps, double seconds);
+
 class Progress {
  public:
   explicit Progress(long steps, const std::string& what = "", std::FILE* stream = stdout);
@@ -16,7 +20,6 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
   double seconds_since(Clock::time_point) const;
-  double seconds_left(long step) const;
 
   long steps;
   std::string what;  // before every line: "measuring: "
