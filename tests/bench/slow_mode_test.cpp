@@ -60,10 +60,10 @@ TEST_F(SlowestError, IsASoftRidgeAlongTheNormalThatNoVertexCanUndoAlone) {
   std::printf("left %.3f, along the normal %.2f, stiffness %.1f, of one vertex %.0f, sweep %.3f\n",
               next.mode.left, normal, soft, alone, sweep);
   EXPECT_NEAR(energy_norm(A, e), 1, 1e-12);
-  EXPECT_GT(normal, 0.8);
-  EXPECT_LT(soft, 5);
-  EXPECT_GT(alone, 15 * soft);
-  EXPECT_GT(sweep, 0.97);
+  EXPECT_NEAR(normal, 0.90, 0.05);
+  EXPECT_NEAR(soft, 3.4, 0.5);
+  EXPECT_NEAR(alone, 70, 15);
+  EXPECT_NEAR(sweep, 0.989, 0.004);
 }
 
 // It is the shape that helps: the matrix of a cloth without bending is as easy in the smoother shape.
@@ -74,8 +74,8 @@ TEST_F(SlowestError, FallsFasterInTheSmootherShapeThatBendingGives) {
                stiffer = Next(bending.cloth, limp.state).mode.left;
   std::printf("left by a V-cycle: %.3f, with bending %.3f; only its shape %.3f, only its K %.3f\n",
               without, with, smoother, stiffer);
-  EXPECT_GT(std::log(with), -1);
-  EXPECT_LT(std::log(with), 2 * std::log(without));
+  EXPECT_NEAR(without, 0.93, 0.02);
+  EXPECT_NEAR(with, 0.82, 0.03);
   EXPECT_NEAR(smoother, with, 0.02);
   EXPECT_NEAR(stiffer, without, 0.03);
 }

@@ -81,9 +81,10 @@ TEST(GuardedDrop, IsNearerToTheTruthThanOneLinearSystemAndHalvingIsFarther) {
                newton = distance(run(scene, {3, {.newton = 50}}, h, steps).end.x);
   std::printf("distance to the truth, m: one system %.3f, halved %.3f, guarded %.3f, Newton %.3f\n",
               alone, halved, guarded, newton);
-  EXPECT_GT(halved, 1.5 * alone);
-  EXPECT_LT(guarded, 0.7 * alone);
-  EXPECT_LT(guarded, 1.2 * newton);
+  EXPECT_NEAR(alone, 0.196, 0.02);
+  EXPECT_NEAR(halved, 0.500, 0.02);
+  EXPECT_NEAR(guarded, 0.079, 0.004);
+  EXPECT_NEAR(newton, 0.076, 0.004);
 }
 
 // A sheet whose two sides are held at 70 % of their distance buckles. A little bending makes the flat sheet

@@ -8,12 +8,13 @@
 namespace extremes::jacobian_test {
 
 // The first steps do no harm. The matrix becomes indefinite when the cloth folds and is compressed
-// and sheared, first in step 30. The default matrix loses energy there.
+// and sheared, first in step 30. The default matrix loses energy there. Rounding decides how near
+// to singular the matrices are: 41 starts that are moved by up to 1e-13 m gain 6e5 to 9e14 J.
 TEST(PrintedMatrix, ExplodesAtAnOrdinaryFrameStepAndSaysSo) {
   const TestScene scene = dropped(1e3);
   const Outcome bw98 = watch(scene, 1.0 / 60, 40, {Jacobian::bw98});
   std::printf("bw98 gains %.1e J\n", bw98.gain);
-  EXPECT_GT(bw98.gain, 1e10);
+  EXPECT_NEAR(std::log10(bw98.gain), 10, 6);
   EXPECT_GT(bw98.indefinite, 0);
   const Outcome definite = watch(scene, 1.0 / 60, 40);
   EXPECT_LT(definite.gain, 0);
@@ -117,13 +118,16 @@ TEST(ClampedEigenvalues, AreAsGoodAsTheDefaultOnADroppedCloth) {
 // step throws the cloth farther, although the matrix is definite. Measured: after ten steps the
 // cloth is beyond 1e70 times its length, where only rounding is left.
 TEST(ClampedEigenvalues, ThrowATangleToInfinityWhereTheDefaultUntanglesIt) {
-  double stretched = 1e4;  // with the step before; a longer step stretches farther
+  double stretched = 1;  // with the step before; a longer step stretches farther
   for (double h : {1e-2, 1.0 / 60, 0.1}) {
     const Outcome three = watch_clamped(tangled(1e3), h, 3),
                   ten = watch_clamped(tangled(1e3), h, 10);
     std::printf("clamped, h = %.4f s: stretched %.1e-fold in 3 steps\n", h, three.last);
     EXPECT_EQ(three.indefinite, 0) << "h = " << h;
     EXPECT_GT(three.last, stretched) << "h = " << h;
+    if (h == 1e-2) {
+      EXPECT_NEAR(std::log10(three.last), std::log10(4.8e4), 0.1);
+    }
     stretched = three.last;
     EXPECT_FALSE(ten.last < 1e9) << "h = " << h;
     const Outcome definite = watch(tangled(1e3), h, 60, {.guard = false});

@@ -98,6 +98,8 @@ void forward_euler(const Cloth& cloth, double h, State& state, step01::System& s
 
 // Every step of forward Euler enlarges every mode by √(1 + h² ω²), however short the step is. At a tenth of
 // the limit h² ω_max² = 0.04, and rounding errors alone make the cloth explode within some thousand steps.
+// Symplectic Euler: the sheet folds, and then rounding counts. Starts that are moved by up to 1e-13 m keep
+// their energy to 0.048 to 0.075 %.
 TEST(Stability, ForwardEulerExplodesWhereSymplecticEulerKeepsItsEnergy) {
   const TestScene scene = drop();
   const double h = 0.1 * critical_step_of(scene);
@@ -110,7 +112,7 @@ TEST(Stability, ForwardEulerExplodesWhereSymplecticEulerKeepsItsEnergy) {
   EXPECT_TRUE(forward.exploded);
   EXPECT_GT(forward.energy_error, 1e3);
   EXPECT_FALSE(symplectic.exploded);
-  EXPECT_LT(symplectic.energy_error, 1e-3);
+  EXPECT_NEAR(symplectic.energy_error, 6e-4, 2e-4);
 }
 
 }  // namespace stability_test
