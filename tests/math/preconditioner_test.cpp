@@ -6,6 +6,7 @@
 #include "math/direct_solver.h"
 #include "math/incomplete_cholesky.h"
 #include "support/pinned.h"
+#include "support/scenes.h"
 
 namespace preconditioner_test {
 
@@ -223,7 +224,8 @@ TEST(MakePreconditioner, RefusesAnotherNameWithTheChoices) {
   }
 }
 
-// The error of Δv divided by the tolerance: the worst of 12 steps of a stiff cloth that falls from two corners.
+// The error of Δv divided by the tolerance: the worst of 12 steps of a stiff cloth that falls from two
+// corners.
 double worst_error(const char* preconditioner, double tolerance) {
   TestScene scene = sheet(24, Held::by_two_corners, 1e5, 1e4, Gravity::on);
   step04::System system(scene.cloth,
