@@ -40,6 +40,7 @@ inline Modes modes(const Cloth& cloth, const MatX& K) {
   Modes m;
   m.omega = pairs.values.cwiseMax(0).cwiseSqrt();
   m.shape = MatX::Zero(cloth.mass.size(), root.size());
-  m.shape(free, Eigen::all) = root.asDiagonal() * pairs.vectors;
+  for (size_t i = 0; i < free.size(); ++i)
+    m.shape.row(free[i]) = root[Eigen::Index(i)] * pairs.vectors.row(Eigen::Index(i));
   return m;
 }
