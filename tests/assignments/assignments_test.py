@@ -149,6 +149,8 @@ class CopiesHaveNoAnswers(Hands):
         lesson = (self.copy("A3") / "step03_implicit/README.md").read_text()
         self.assertIn("In `line_search`", lesson)
         self.assertNotIn("step /= 2", lesson)
+        self.assertIn("diff step02_damping/time_step.h", lesson)
+        self.assertNotIn("The diff", lesson)
         self.assertNotIn("1e-4 * step * fall", lesson)
         self.assertIn("const double decrement = ", lesson)  # of another function
 

@@ -101,8 +101,10 @@ def files_of_compare_runs():
 
 
 def statement(line):
-    """A line without spaces, comments, and the head of a loop, which many functions share."""
-    line = functions.squeezed(line)
+    """A line without spaces, comments, the mark of a diff, and the head of a loop, which many
+    functions share.
+    """
+    line = functions.squeezed(re.sub(r"^[<>] ", "", line))
     head = re.match(r"for\((?:[^()]|\([^()]*\))*\)", line)
     return line[head.end() :] if head else line
 
@@ -117,9 +119,13 @@ def telling_lines(body):
     }
 
 
+# The fold of a lesson with the diff to the step before.
+DIFF = r"<details><summary>The diff</summary>.*?</details>\n\n"
+
+
 def without_answers(lesson, lines):
-    """A lesson with … in place of each block of code that has a telling line: the loops and
-    conditions around it tell as much.
+    """A lesson without its diff, and with … in place of each block of code that has a telling line:
+    the loops and conditions around it tell as much.
     """
 
     def shown(block):
@@ -127,6 +133,7 @@ def without_answers(lesson, lines):
         indent = block["indent"]
         return f"{indent}```cpp\n{indent}…\n{indent}```" if tells else block.group()
 
+    lesson = re.sub(DIFF, "", lesson, flags=re.DOTALL)
     return re.sub(
         r"^(?P<indent> *)```cpp\n(?P<code>.*?)^(?P=indent)```$",
         shown,
