@@ -43,10 +43,6 @@ struct Options {
   std::optional<double> strain_scale;  // the strain at the end of the colour scale
 };
 
-// run.toml: the scene as it is run, and in [run] the program, its version and all options of method and
-// pictures. A program that reads it as its scene makes the same run again.
-std::string run_toml(const Options&, const std::string& effective_scene);
-
 // Runs simulate(options) and returns the exit code of the program: 0 done, 1 the run broke off, 2
 // bad input or usage, 130 stopped by Ctrl-C. Errors are one line on the standard error.
 int run_program(int argc, char** argv, const Program&,

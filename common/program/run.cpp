@@ -13,6 +13,7 @@
 #include "program/point_cache.h"
 #include "program/progress.h"
 #include "program/report.h"
+#include "program/run_toml.h"
 #include "program/video.h"
 #include "scene/velocities.h"
 #include "text/text.h"

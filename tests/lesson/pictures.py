@@ -25,7 +25,7 @@ import tempfile
 import textwrap
 import zlib
 
-from run_commands import BREAK_OFF
+from run_commands import last_lines, run_script
 from update_lessons import SOURCE, LessonError, Runner
 
 REPAIR = "python3 tests/lesson/pictures.py"
@@ -119,14 +119,11 @@ RECIPES = (
 
 def draw(commands, files, runner):
     """Runs the commands in the runner's directory. Raises LessonError if a file is not written."""
-    result = subprocess.run(["bash", "-c", BREAK_OFF + commands], cwd=runner.directory, text=True,
-                            errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                            stderr=subprocess.STDOUT, check=False)
+    code, output = run_script(commands, runner.directory)
     missing = [file for file in files if not (runner.directory / file).exists()]
-    if missing or result.returncode not in (0, 1):  # 1: the cloth explodes, or the runs differ
-        last = "\n".join(result.stdout.splitlines()[-20:])
-        raise LessonError(f"exit code {result.returncode}, and {' '.join(missing) or 'no file'} is "
-                          f"missing after\n{commands}\n{last}")
+    if missing or code not in (0, 1):  # 1: the cloth explodes, or the runs differ
+        raise LessonError(f"exit code {code}, and {' '.join(missing) or 'no file'} is missing after"
+                          f"\n{commands}\n{last_lines(output)}")
 
 
 # Comparing ----------------------------------------------------------------------------------------

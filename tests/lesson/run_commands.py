@@ -221,16 +221,25 @@ def with_cheap_pictures(text):
     return re.sub(STEP_PROGRAM, r"\g<0> --no-pictures", text)
 
 
+def run_script(script, directory):
+    """Runs commands of a shell. Returns their exit code and what they print."""
+    result = subprocess.run(["bash", "-c", BREAK_OFF + script], cwd=directory, text=True,
+                            errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT, check=False)
+    return result.returncode, result.stdout
+
+
+def last_lines(output):
+    return "\n".join(output.splitlines()[-20:])
+
+
 def failure(command, script, directory):
     """Runs the script of a command. Returns what is wrong with it, or nothing."""
-    result = subprocess.run(["bash", "-c", BREAK_OFF + with_stand_ins(script)], cwd=directory,
-                            text=True, errors="replace", stdin=subprocess.DEVNULL,
-                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-    if "\nTotal Tests: 0\n" in result.stdout:
+    code, output = run_script(with_stand_ins(script), directory)
+    if "\nTotal Tests: 0\n" in output:
         return "it selects no test"
-    if result.returncode != command.exit_code():
-        last = "\n".join(result.stdout.splitlines()[-20:])
-        return f"exit code {result.returncode} instead of {command.exit_code()}\n{last}"
+    if code != command.exit_code():
+        return f"exit code {code} instead of {command.exit_code()}\n{last_lines(output)}"
     return ""
 
 

@@ -2,6 +2,7 @@
 #include "program/run.h"
 
 #include "explain/explain.h"
+#include "program/run_toml.h"
 #include "support/program_runner.h"
 
 namespace run_test {
